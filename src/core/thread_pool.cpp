@@ -1,0 +1,98 @@
+// A fixed pool of threads.
+#include "core/thread_pool.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+namespace nuno {
+namespace {
+
+constexpr int kSpins = 4000;
+
+// One turn of a waiting loop: burn a moment while the wait is short, give the core away when it is not.
+void wait_a_moment(int turn)
+{
+    if (turn < kSpins) {
+#if defined(__x86_64__)
+        __builtin_ia32_pause();
+#endif
+    } else {
+        std::this_thread::yield();
+    }
+}
+
+}  // namespace
+
+struct ThreadPool::Crew
+{
+    std::vector<std::thread> threads;
+    const std::function<void(int)>* body = nullptr;
+    std::atomic<int> round{0};
+    std::atomic<int> working{0};
+    std::atomic<bool> stop{false};
+
+    void work(int thread)
+    {
+        for (int seen = 0;;) {
+            for (int turn = 0; turn < kSpins && round.load(std::memory_order_acquire) == seen; ++turn)
+                wait_a_moment(turn);
+            round.wait(seen, std::memory_order_acquire);
+            seen = round.load(std::memory_order_acquire);
+            if (stop) return;
+            (*body)(thread);
+            working.fetch_sub(1, std::memory_order_release);
+        }
+    }
+    void next_round()
+    {
+        round.fetch_add(1, std::memory_order_release);
+        round.notify_all();
+    }
+};
+
+ThreadPool::ThreadPool(int thread_count) : crew_(std::make_unique<Crew>())
+{
+    if (thread_count <= 0) thread_count = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    for (int thread = 1; thread < thread_count; ++thread)
+        crew_->threads.emplace_back([crew = crew_.get(), thread] { crew->work(thread); });
+}
+
+ThreadPool::~ThreadPool()
+{
+    crew_->stop = true;
+    crew_->next_round();
+    for (std::thread& thread : crew_->threads) thread.join();
+}
+
+int ThreadPool::thread_count() const { return static_cast<int>(crew_->threads.size()) + 1; }
+
+void ThreadPool::run(const std::function<void(int)>& body)
+{
+    if (crew_->threads.empty()) return body(0);
+    crew_->body = &body;
+    crew_->working.store(static_cast<int>(crew_->threads.size()), std::memory_order_relaxed);
+    crew_->next_round();
+    body(0);
+    for (int turn = 0; crew_->working.load(std::memory_order_acquire) > 0; ++turn) wait_a_moment(turn);
+}
+
+void SpinBarrier::arrive_and_wait()
+{
+    const int phase = phase_.load(std::memory_order_relaxed);
+    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == thread_count_) {
+        arrived_.store(0, std::memory_order_relaxed);
+        phase_.store(phase + 1, std::memory_order_release);
+        return;
+    }
+    for (int turn = 0; phase_.load(std::memory_order_acquire) == phase; ++turn) wait_a_moment(turn);
+}
+
+Range part_of(int count, int grain, int thread, int thread_count)
+{
+    const long grains = (count + grain - 1) / grain;
+    const auto edge = [&](int t) { return std::min(count, static_cast<int>(grains * t / thread_count) * grain); };
+    return {edge(thread), edge(thread + 1)};
+}
+
+}  // namespace nuno

@@ -1,0 +1,50 @@
+// A fixed pool of threads that run one body together, and a barrier for them to step in time.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace nuno {
+
+class ThreadPool
+{
+  public:
+    // `thread_count` counts the calling thread; 0 means one for each core.
+    explicit ThreadPool(int thread_count);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    int thread_count() const;
+
+    // Calls body(thread) once on every thread, thread = 0 (the caller) .. thread_count - 1, and returns when all are done.
+    // The body must not throw and must not call run.
+    void run(const std::function<void(int thread)>& body);
+
+  private:
+    struct Crew;
+    std::unique_ptr<Crew> crew_;
+};
+
+// Holds `thread_count` threads until all have arrived. Spins first, since substeps are microseconds apart, then yields.
+class SpinBarrier
+{
+  public:
+    explicit SpinBarrier(int thread_count) : thread_count_(thread_count) {}
+    void arrive_and_wait();
+
+  private:
+    const int thread_count_;
+    std::atomic<int> arrived_{0};
+    std::atomic<int> phase_{0};
+};
+
+// The part of 0 .. count that `thread` of `thread_count` works on, in units of `grain`.
+struct Range
+{
+    int begin, end;
+};
+Range part_of(int count, int grain, int thread, int thread_count);
+
+}  // namespace nuno
