@@ -1,0 +1,66 @@
+// The parameters of a simulation: a struct made from the rows of sim_params.def, and the table of those rows.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/params.h"
+
+namespace nuno {
+
+enum class Method : std::int32_t
+{
+    explicit_euler,
+    symplectic_euler
+};
+enum class Backend : std::int32_t
+{
+    cpu,
+    gpu
+};
+enum class CollisionLevel : std::int32_t
+{
+    none,
+    discrete
+};
+enum class Culling : std::int32_t
+{
+    none,
+    seed
+};
+enum class MassLumping : std::int32_t
+{
+    area,
+    equal
+};
+
+std::span<const std::string_view> choice_names(Method);
+std::span<const std::string_view> choice_names(Backend);
+std::span<const std::string_view> choice_names(CollisionLevel);
+std::span<const std::string_view> choice_names(Culling);
+std::span<const std::string_view> choice_names(MassLumping);
+
+// Laid out as the std140 block SimParams of the kernels: 4-byte scalars in table order.
+struct SimParams
+{
+#define NUNO_FLOAT(name, value, min, max, unit, group, help) float name = value;
+#define NUNO_INT(name, value, min, max, unit, group, help) std::int32_t name = value;
+#define NUNO_BOOL(name, value, group, help) std::int32_t name = value;
+#define NUNO_CHOICE(Type, name, value, group, help) Type name = Type::value;
+#include "model/sim_params.def"
+#undef NUNO_FLOAT
+#undef NUNO_INT
+#undef NUNO_BOOL
+#undef NUNO_CHOICE
+};
+
+ParamTable sim_param_table();
+
+// True where a change of `name` rebuilds the cloth, so that the simulation starts again.
+bool needs_restart(std::string_view name);
+
+// Length of a substep [s]: 1 / (frame_rate substeps), rounded to float once, for both backends.
+inline float substep_s(const SimParams& p) { return static_cast<float>(1.0 / (double(p.frame_rate) * p.substeps)); }
+
+}  // namespace nuno
