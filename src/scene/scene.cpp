@@ -1,0 +1,185 @@
+// Reads scenes from .toml files.
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "scene/toml_table.h"
+
+namespace nuno {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scene_directory() { return root_directory() / "assets" / "scenes"; }
+
+// A path in a scene file is relative to the folder of that file.
+fs::path beside(const fs::path& scene_path, const std::string& text)
+{
+    return text.empty() ? fs::path() : (scene_path.parent_path() / text).lexically_normal();
+}
+
+void read_pins(TomlTable& table, SheetSpec& sheet)
+{
+    const toml::array* pins = table.array("pins");
+    if (!pins) return;
+    for (const toml::node& pin : *pins) {
+        if (const auto place = pin.value_exact<std::string>())
+            sheet.pin_places.push_back(*place);
+        else if (const auto vertex = pin.value_exact<std::int64_t>(); vertex && *vertex >= 0 && *vertex <= 0xffffffff)
+            sheet.pin_vertices.push_back(static_cast<std::uint32_t>(*vertex));
+        else
+            table.fail("pins", "a list of vertex numbers and places (top_left, top, left, ...)");
+    }
+}
+
+SheetSpec read_sheet(TomlTable table, const fs::path& scene_path)
+{
+    SheetSpec sheet;
+    sheet.where = table.where();
+    sheet.name = table.text("name", "cloth");
+    sheet.mesh = beside(scene_path, table.text("mesh", ""));
+    sheet.texture = beside(scene_path, table.text("texture", ""));
+    sheet.columns = table.whole("columns", 0);
+    sheet.rows = table.whole("rows", sheet.columns);
+    sheet.origin = table.vector("origin", {0, 0, 0});
+    sheet.across = table.vector("across", {1, 0, 0});
+    sheet.down = table.vector("down", {0, -1, 0});
+    read_pins(table, sheet);
+    table.finish();
+    if (sheet.mesh.empty() == (sheet.columns == 0))
+        throw Error(fmt::format("{}: a sheet needs either columns (and rows) of a grid or a mesh file", sheet.where));
+    const auto side_fits = [](int count) { return count >= 2 && count <= 2048; };
+    if (sheet.mesh.empty() && (!side_fits(sheet.columns) || !side_fits(sheet.rows)))
+        throw Error(fmt::format("{}: a grid of {} x {} vertices is not possible; give 2 to 2048 for columns and rows",
+                                sheet.where, sheet.columns, sheet.rows));
+    return sheet;
+}
+
+Plane read_plane(TomlTable table)
+{
+    Plane plane;
+    plane.normal = table.vector("normal", plane.normal);
+    plane.offset = static_cast<float>(table.number("offset", 0));
+    table.finish();
+    const float length = glm::length(plane.normal);
+    if (!(length > 0)) table.fail("normal", "three numbers that are not all zero");
+    if (!std::isfinite(plane.offset)) table.fail("offset", "a finite number of metres");
+    plane.normal /= length;
+    return plane;
+}
+
+Sphere read_sphere(TomlTable table)
+{
+    Sphere sphere;
+    sphere.centre = table.vector("centre", sphere.centre);
+    sphere.radius = static_cast<float>(table.number("radius", 1));
+    table.finish();
+    if (!(sphere.radius > 0) || !(sphere.radius < 1e6f)) table.fail("radius", "a number of metres above 0");
+    return sphere;
+}
+
+EndCheck read_check(TomlTable table)
+{
+    EndCheck check;
+    check.frames = table.whole("frames", 0);
+    if (check.frames == 0) table.fail("frames", "the frame at which the check applies, 1 or more");
+    for (const MetricInfo& metric : metric_table()) {
+        const toml::array* bounds = table.array(metric.name);
+        if (!bounds) continue;
+        MetricBound bound{&metric, 0, 0, table.where(metric.name)};
+        const auto low = bounds->size() == 2 ? bounds->get(0)->value<double>() : std::nullopt;
+        const auto high = bounds->size() == 2 ? bounds->get(1)->value<double>() : std::nullopt;
+        if (!low || !high || !(*low <= *high)) table.fail(metric.name, "two numbers, [least, most]; inf is possible");
+        bound.min = *low;
+        bound.max = *high;
+        check.bounds.push_back(bound);
+    }
+    table.finish();
+    return check;
+}
+
+// Calls read(table) for each [[key]] of the file.
+template <class Read>
+void for_each_table(TomlTable& file, const std::string& path, std::string_view key, Read read)
+{
+    const toml::array* list = file.array(key);
+    if (!list) return;
+    for (const toml::node& node : *list) {
+        if (!node.is_table()) file.fail(key, fmt::format("written as [[{}]]", key));
+        read(TomlTable(*node.as_table(), path));
+    }
+}
+
+Scene read_scene(const toml::table& root, const fs::path& path)
+{
+    const std::string file_name = path.string();
+    TomlTable file(root, file_name);
+    Scene scene;
+    scene.name = path.stem().string();
+    scene.path = path;
+    scene.title = file.text("title", "");
+    if (const toml::table* params = file.table("params"))
+        TomlTable(*params, file_name).read_params(sim_param_table(), &scene.params);
+    if (const toml::table* view = file.table("view"))
+        for (const TomlTable::Entry& entry : TomlTable(*view, file_name).entries())
+            scene.view.push_back({entry.name, entry.text, entry.where});
+    for_each_table(file, file_name, "sheet",
+                   [&](TomlTable t) { scene.sheets.push_back(read_sheet(std::move(t), path)); });
+    for_each_table(file, file_name, "plane",
+                   [&](TomlTable t) { scene.colliders.planes.push_back(read_plane(std::move(t))); });
+    for_each_table(file, file_name, "sphere",
+                   [&](TomlTable t) { scene.colliders.spheres.push_back(read_sphere(std::move(t))); });
+    if (const toml::table* check = file.table("check")) scene.check = read_check(TomlTable(*check, file_name));
+    file.finish();
+    if (scene.sheets.empty()) throw Error(fmt::format("{}: a scene needs at least one [[sheet]]", file_name));
+    return scene;
+}
+
+}  // namespace
+
+std::vector<std::string> scene_names()
+{
+    std::vector<std::string> names;
+    std::error_code status;
+    for (const fs::directory_entry& entry : fs::directory_iterator(scene_directory(), status))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    if (status)
+        throw Error(fmt::format("{}: cannot be listed ({}); set NUNO_ROOT to nuno's folder", scene_directory().string(),
+                                status.message()));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Scene load_scene(std::string_view name_or_path)
+{
+    fs::path path(name_or_path);
+    if (path.extension() != ".toml") {
+        const std::vector<std::string> names = scene_names();
+        if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+            const std::vector<std::string_view> views(names.begin(), names.end());
+            throw Error(
+                fmt::format("scene {}: there is none of that name; the nearest is {}; possible are {}, or the path of "
+                            "a .toml file",
+                            name_or_path, nearest_name(name_or_path, views), join_choices(views)));
+        }
+        path = scene_directory() / (std::string(name_or_path) + ".toml");
+    }
+    const std::string text = read_text(path);
+    try {
+        return read_scene(toml::parse(text, path.string()), path);
+    } catch (const toml::parse_error& error) {
+        throw Error(
+            fmt::format("{}:{}: is not TOML: {}", path.string(), error.source().begin.line, error.description()));
+    }
+}
+
+}  // namespace nuno

@@ -1,0 +1,56 @@
+// A scene: sheets, bodies, parameters, and the check that it must pass at its end. Read from a .toml file (docs/scenes.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/cloth_model.h"
+#include "model/collider.h"
+#include "model/sim_params.h"
+#include "scene/end_check.h"
+
+namespace nuno {
+
+// A sheet as the file declares it: a grid, or a mesh file.
+struct SheetSpec
+{
+    std::string name, where;                               // where: file and line, for messages
+    int columns = 0, rows = 0;                             // vertices of a grid
+    glm::vec3 origin{0}, across{1, 0, 0}, down{0, -1, 0};  // corner and sides of a grid [m]
+    std::filesystem::path mesh;                            // an OBJ file, where it is no grid
+    std::vector<std::string> pin_places;                   // top_left, top, left, ... of a grid
+    std::vector<std::uint32_t> pin_vertices;
+    std::filesystem::path texture;  // empty: none
+};
+
+// A parameter of the view, kept as text until the renderer's table reads it.
+struct ViewSetting
+{
+    std::string name, text, where;
+};
+
+struct Scene
+{
+    std::string name, title;
+    std::filesystem::path path;
+    SimParams params;
+    std::vector<ViewSetting> view;
+    std::vector<SheetSpec> sheets;
+    Colliders colliders;
+    EndCheck check;
+};
+
+// `name_or_path`: a name that scene_names lists, or the path of a .toml file. Error with file and line for everything that is wrong in it.
+Scene load_scene(std::string_view name_or_path);
+
+// Names of the scenes in assets/scenes, sorted.
+std::vector<std::string> scene_names();
+
+// The sheets with their meshes read or made, at params.resolution where that is not 0.
+std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params);
+
+}  // namespace nuno
