@@ -1,0 +1,4 @@
+// OpenGL as the loader generated at build time declares it: 4.3 core.
+#pragma once
+
+#include <glad/gl.h>
