@@ -1,0 +1,53 @@
+// The interface of a solver: one method of time integration on one backend.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <glm/vec4.hpp>
+
+#include "model/cloth_state.h"
+#include "model/collider.h"
+#include "model/sim_params.h"
+
+namespace nuno {
+
+// A run of substeps of equal length.
+struct StepInput
+{
+    const SimParams& params;
+    double start_time_s;  // simulated time at the start of the first substep
+    int substep_count;
+};
+
+class ClothSolver
+{
+  public:
+    virtual ~ClothSolver() = default;
+    virtual std::string_view name() const = 0;  // "symplectic_euler on cpu"
+
+    // Takes over a whole state; sizes are those of the model that the solver was made for.
+    virtual void upload(const ClothState& state) = 0;
+    virtual void upload_velocities(std::span<const glm::vec4> velocities) = 0;
+    // Places one vertex at rest: xyz [m], w inverse mass (0 holds it there).
+    virtual void set_vertex(std::uint32_t vertex, glm::vec4 position) = 0;
+
+    virtual void step(const StepInput& input) = 0;
+    // Waits until what step began is done.
+    virtual void finish() = 0;
+
+    virtual void download_positions(std::span<glm::vec4> positions) = 0;
+    virtual void download_velocities(std::span<glm::vec4> velocities) = 0;
+    // The first vertex whose position or velocity is not finite.
+    virtual std::optional<std::uint32_t> first_not_finite() = 0;
+
+    // OpenGL name of the buffer that holds the positions now (vec4 each); 0 where they are not on the device.
+    virtual std::uint32_t position_buffer() const = 0;
+};
+
+// The seed's wind plus its steady part [N/m2] at a simulated time.
+float wind_pressure(const SimParams& params, double time_s);
+
+}  // namespace nuno
