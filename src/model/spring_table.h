@@ -42,7 +42,8 @@ struct SpringTable
 
 constexpr float kNoSpring = NO_SPRING;
 
-// Within a kind the springs of a vertex keep the order of `springs`. Error where a vertex has more than 256 slots.
+// Slots are chosen so that neighbouring vertices have neighbouring entries in one slot, where the numbering of the mesh allows it.
+// Error where a vertex needs more than 256 slots.
 SpringTable make_spring_table(std::span<const Spring> springs, std::uint32_t vertex_count);
 
 // The seed's neighbourhood (fig 2.1) of a grid whose vertex (i, j) is first + j columns + i: structural to the 4 neighbours, shear to the

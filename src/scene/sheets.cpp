@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 #include "core/error.h"
 #include "core/text.h"
 #include "scene/scene.h"
@@ -27,29 +30,56 @@ GridSize grid_size(const SheetSpec& sheet, int resolution)
     return {scaled(sheet.columns), scaled(sheet.rows)};
 }
 
-void add_pins_at(std::string_view place, const SheetSpec& sheet, GridSize size, std::vector<std::uint32_t>& pins)
+struct Place
 {
-    struct Place
-    {
-        std::string_view name;
-        double i0, i1, j0, j1;  // part of the grid, 0 .. 1
-    };
+    std::string_view name;
+    double i0, i1, j0, j1;  // part of the grid, 0 .. 1
+};
+
+// The vertex of a grid that is nearest to a part (0 .. 1) of a side.
+int at_part(double part, int count) { return static_cast<int>(std::lround(part * (count - 1))); }
+
+void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, std::vector<std::uint32_t>& pins)
+{
     static constexpr Place places[] = {
-        {"top_left", 0, 0, 0, 0},     {"top_right", 1, 1, 0, 0}, {"bottom_left", 0, 0, 1, 1},
-        {"bottom_right", 1, 1, 1, 1}, {"top", 0, 1, 0, 0},       {"bottom", 0, 1, 1, 1},
-        {"left", 0, 0, 0, 1},         {"right", 1, 1, 0, 1},     {"top_middle", 0.5, 0.5, 0, 0}};
+        {"top_left", 0, 0, 0, 0}, {"top_right", 1, 1, 0, 0}, {"bottom_left", 0, 0, 1, 1}, {"bottom_right", 1, 1, 1, 1},
+        {"top", 0, 1, 0, 0},      {"bottom", 0, 1, 1, 1},    {"left", 0, 0, 0, 1},        {"right", 1, 1, 0, 1}};
+    const std::size_t mark = text.find('@');
+    const std::string_view name = text.substr(0, mark);
+    const double part = mark == text.npos ? 0 : parse_number(text.substr(mark + 1)).value_or(-1);
+    if (!(part >= 0 && part <= 1))
+        throw Error(fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1", sheet.where, text));
     std::vector<std::string_view> names;
-    for (const Place& p : places) {
+    for (Place p : places) {
         names.push_back(p.name);
-        if (p.name != place) continue;
-        const auto at = [](double part, int count) { return static_cast<int>(std::lround(part * (count - 1))); };
-        for (int j = at(p.j0, size.rows); j <= at(p.j1, size.rows); ++j)
-            for (int i = at(p.i0, size.columns); i <= at(p.i1, size.columns); ++i)
+        if (p.name != name) continue;
+        if (mark != text.npos && p.i0 != p.i1) p.i0 = p.i1 = part;
+        if (mark != text.npos && p.j0 != p.j1) p.j0 = p.j1 = part;
+        for (int j = at_part(p.j0, size.rows); j <= at_part(p.j1, size.rows); ++j)
+            for (int i = at_part(p.i0, size.columns); i <= at_part(p.i1, size.columns); ++i)
                 pins.push_back(static_cast<std::uint32_t>(j * size.columns + i));
         return;
     }
-    throw Error(fmt::format("{}: pin place {} is unknown; the nearest is {}; possible are {}", sheet.where, place,
-                            nearest_name(place, names), join_choices(names)));
+    throw Error(fmt::format("{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge",
+                            sheet.where, name, nearest_name(name, names), join_choices(names)));
+}
+
+// Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle against the flat
+// sheet, so that no thread is stretched. The middle stays where it is.
+std::vector<glm::vec3> pleated(const SheetSpec& sheet, const TriangleMesh& mesh)
+{
+    const float width = glm::length(sheet.across), strip = width / static_cast<float>(sheet.pleats);
+    const glm::vec3 along = sheet.across / width, up = glm::normalize(glm::cross(sheet.down, sheet.across));
+    const float angle = glm::radians(sheet.pleat_angle), c = std::cos(angle), s = std::sin(angle);
+    std::vector<glm::vec3> start;
+    for (const glm::vec3& p : mesh.positions) {
+        const float u = glm::dot(p - sheet.origin, along);
+        const int number = std::min(sheet.pleats - 1, static_cast<int>(u / strip));
+        const float rest = u - static_cast<float>(number) * strip;
+        const float height = (number % 2 == 0 ? rest : strip - rest) * s;
+        start.push_back(p + (u * c + width * (1 - c) / 2 - u) * along + height * up);
+    }
+    return start;
 }
 
 }  // namespace
@@ -67,6 +97,7 @@ std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params
             source.rows = size.rows;
             for (const std::string& place : sheet.pin_places) add_pins_at(place, sheet, size, source.pins);
             check_mesh(source.mesh, sheet.where);
+            if (sheet.pleats > 0) source.start = pleated(sheet, source.mesh);
         } else {
             source.mesh = load_obj(sheet.mesh);
             if (!sheet.pin_places.empty())

@@ -1,0 +1,210 @@
+// One scene in motion.
+#include "sim/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "model/stability.h"
+#include "solver/method_table.h"
+
+namespace nuno {
+namespace {
+
+constexpr int kMostFramesAtOnce = 4;
+constexpr float kDragSpeed = 3.0f;  // of a held vertex [m/s]
+
+void add_pass(FrameStats& stats, const CollisionCounts& pass)
+{
+    CollisionCounts& sum = stats.count;
+    sum.pairs_tested += pass.pairs_tested;
+    sum.pairs_culled += pass.pairs_culled;
+    sum.contacts += pass.contacts;
+    sum.impacts += pass.impacts;
+    sum.zones += pass.zones;
+    sum.rollbacks += pass.rollbacks;
+    sum.unresolved += pass.unresolved;
+    stats.peak_contacts = std::max(stats.peak_contacts, pass.contacts);
+}
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, const SimParams& params) : scene_(std::move(scene)) { build(params); }
+Simulation::~Simulation() = default;
+
+void Simulation::build(const SimParams& params)
+{
+    auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, params), params.mass_lumping));
+    auto pool = std::make_unique<ThreadPool>(params.threads);
+    auto solver = make_solver(*model, scene_.colliders, params, *pool);
+    solver_ = std::move(solver);
+    collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, *pool);
+    pool_ = std::move(pool);
+    model_ = std::move(model);
+    params_ = params;
+    restart();
+}
+
+void Simulation::restart()
+{
+    state_ = start_state(*model_, params_);
+    solver_->upload(state_);
+    positions_fresh_ = velocities_fresh_ = true;
+    pass_positions_ = state_.positions;
+    held_.reset();
+    frame_ = 0;
+    time_s_ = pending_s_ = 0;
+}
+
+void Simulation::set_params(const SimParams& params)
+{
+    bool rebuild = params.threads != params_.threads;
+    for (const ParamInfo& info : sim_param_table())
+        if (needs_restart(info.name)) rebuild = rebuild || param_value(info, &params) != param_value(info, &params_);
+    if (rebuild) return build(params);
+
+    const bool new_solver = params.method != params_.method || params.backend != params_.backend;
+    const bool new_masses = params.areal_density != params_.areal_density;
+    if (new_solver || new_masses) {
+        state();
+        if (new_solver) solver_ = make_solver(*model_, scene_.colliders, params, *pool_);
+        for (std::uint32_t v = 0; v < model_->vertex_count(); ++v)
+            if (state_.positions[v].w > 0) state_.positions[v].w = inverse_mass(*model_, v, params.areal_density);
+        solver_->upload(state_);
+    }
+    params_ = params;
+}
+
+int Simulation::pass_count() const
+{
+    return params_.collision == CollisionLevel::none ? 1 : std::min(params_.collision_passes, params_.substeps);
+}
+
+FrameStats Simulation::advance_frame()
+{
+    FrameStats stats;
+    const double h = double(substep_s(params_));
+    const int passes = pass_count(), substeps = params_.substeps;
+    move_held_vertex();
+    for (int pass = 0; pass < passes; ++pass) {
+        const int first = substeps * pass / passes, last = substeps * (pass + 1) / passes;
+        Stopwatch watch;
+        solver_->step({params_, time_s_ + first * h, last - first});
+        solver_->finish();
+        stats.stage_ms.solve += watch.lap_ms();
+        positions_fresh_ = velocities_fresh_ = false;
+        const bool on_host = params_.collision != CollisionLevel::none || params_.count_pass_through;
+        if (on_host) {
+            solver_->download_positions(state_.positions);
+            positions_fresh_ = true;
+            stats.stage_ms.readback += watch.lap_ms();
+        }
+        check_finite(on_host ? first_not_finite(state_.positions) : solver_->first_not_finite(), first, last);
+        if (on_host) collide(stats, static_cast<float>((last - first) * h));
+    }
+    stats.frame = ++frame_;
+    stats.time_s = time_s_ += 1.0 / params_.frame_rate;
+    return stats;
+}
+
+void Simulation::collide(FrameStats& stats, float interval_s)
+{
+    const CollisionStep step{pass_positions_, state_.positions, state_.velocities, interval_s};
+    Stopwatch watch;
+    collision_->refit(step, collision_settings(params_));
+    stats.stage_ms.refit += watch.lap_ms();
+    const bool contacts = !collision_->query(step).empty();
+    stats.stage_ms.query += watch.lap_ms();
+    if (contacts) {
+        solver_->download_velocities(state_.velocities);
+        velocities_fresh_ = true;
+        stats.stage_ms.readback += watch.lap_ms();
+        collision_->respond(step);
+        stats.stage_ms.respond += watch.lap_ms();
+        solver_->upload_velocities(state_.velocities);
+        stats.stage_ms.upload += watch.lap_ms();
+    }
+    if (params_.count_pass_through) {  // a measurement, in no stage
+        collision_->count_pass_through(step);
+        pass_positions_ = state_.positions;
+    }
+    add_pass(stats, collision_->counts());
+}
+
+std::vector<FrameStats> Simulation::advance(double elapsed_s)
+{
+    std::vector<FrameStats> frames;
+    const double frame_s = 1.0 / params_.frame_rate;
+    pending_s_ = std::min(pending_s_ + elapsed_s, kMostFramesAtOnce * frame_s);
+    for (; pending_s_ >= frame_s; pending_s_ -= frame_s) frames.push_back(advance_frame());
+    return frames;
+}
+
+void Simulation::download()
+{
+    if (!positions_fresh_) solver_->download_positions(state_.positions);
+    if (!velocities_fresh_) solver_->download_velocities(state_.velocities);
+    positions_fresh_ = velocities_fresh_ = true;
+}
+
+const ClothState& Simulation::state()
+{
+    download();
+    return state_;
+}
+
+void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
+{
+    if (held_ && held_->vertex != vertex) release_vertex();
+    if (!held_) held_ = Held{vertex, glm::vec3(state().positions[vertex]), target};
+    held_->target = target;
+}
+
+void Simulation::release_vertex()
+{
+    if (!held_) return;
+    const std::uint32_t v = held_->vertex;
+    const float w = model_->pinned[v] ? 0.0f : inverse_mass(*model_, v, params_.areal_density);
+    solver_->set_vertex(v, glm::vec4(held_->position, w));
+    positions_fresh_ = velocities_fresh_ = false;
+    held_.reset();
+}
+
+void Simulation::move_held_vertex()
+{
+    if (!held_) return;
+    const glm::vec3 way = held_->target - held_->position;
+    const float length = glm::length(way), most = kDragSpeed / static_cast<float>(params_.frame_rate);
+    held_->position += length > most ? way * (most / length) : way;
+    solver_->set_vertex(held_->vertex, glm::vec4(held_->position, 0));
+}
+
+std::optional<std::string> Simulation::stability_warning() const
+{
+    const double limit_s = largest_stable_substep(*model_, params_);
+    if (double(substep_s(params_)) <= limit_s) return std::nullopt;
+    const std::string_view method = choice_names(params_.method)[static_cast<std::size_t>(params_.method)];
+    const int substeps = least_stable_substeps(*model_, params_);
+    const std::string advice = substeps > 0
+                                   ? fmt::format("--set substeps={} holds", substeps)
+                                   : std::string("no number of substeps holds; more damping or softer springs would");
+    return fmt::format("{}: substep {:.3g} s is longer than the {:.3g} s up to which {} is sure to be stable; {}",
+                       scene_.name, substep_s(params_), limit_s, method, advice);
+}
+
+void Simulation::check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const
+{
+    if (!bad) return;
+    const std::string advice =
+        stability_warning().value_or("the forces outgrew single precision; lower wind or stiffness");
+    throw Error(fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite; {}", scene_.name,
+                            frame_ + 1, first_substep + 1, last_substep, *bad, advice),
+                ExitCode::went_bad);
+}
+
+}  // namespace nuno

@@ -1,0 +1,88 @@
+// One scene in motion: owns the cloth, its solver and its collision, and runs them frame by frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "model/cloth_state.h"
+#include "model/diagnostics.h"
+#include "scene/scene.h"
+#include "sim/frame_stats.h"
+#include "solver/cloth_solver.h"
+
+namespace nuno {
+
+class Simulation
+{
+  public:
+    // On the gpu backend a context must be current, and stay so. Error where the scene or the parameters do not work.
+    Simulation(Scene scene, const SimParams& params);
+    ~Simulation();
+
+    const Scene& scene() const { return scene_; }
+    const SimParams& params() const { return params_; }
+    const ClothModel& model() const { return *model_; }
+    std::string_view solver_name() const { return solver_->name(); }
+    int frame() const { return frame_; }
+    double time_s() const { return time_s_; }
+    int thread_count() const { return pool_->thread_count(); }
+
+    // Acts from the next frame on: forces at once, method and backend with the state carried over; a parameter of the start
+    // (needs_restart) starts again. Error (nothing changed) where they do not work.
+    void set_params(const SimParams& params);
+    void restart();
+
+    // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps, vertex and a
+    // setting that would hold, where a number is no longer finite.
+    FrameStats advance_frame();
+    // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot keep up
+    // slows the cloth down. The statistics are those of the frames that ran.
+    std::vector<FrameStats> advance(double elapsed_s);
+
+    // The state now; copied from the device when first asked for after a frame.
+    const ClothState& state();
+    Diagnostics diagnostics() { return measure(*model_, state(), params_); }
+    // OpenGL name of the positions, 0 on the cpu backend.
+    std::uint32_t position_buffer() const { return solver_->position_buffer(); }
+
+    // Drags a vertex to `target` [m], at a limited speed, until it is released. A pinned vertex stays pinned where it is left.
+    void hold_vertex(std::uint32_t vertex, glm::vec3 target);
+    void release_vertex();
+
+    // A warning where the substep is longer than the method's stable one, with the number of substeps that holds.
+    std::optional<std::string> stability_warning() const;
+
+  private:
+    void build(const SimParams& params);
+    void make_solver_now();
+    void download();
+    void move_held_vertex();
+    void collide(FrameStats& stats, float interval_s);
+    void check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const;
+    int pass_count() const;
+
+    struct Held
+    {
+        std::uint32_t vertex;
+        glm::vec3 position, target;
+    };
+
+    Scene scene_;
+    SimParams params_;
+    std::unique_ptr<ThreadPool> pool_;
+    std::unique_ptr<ClothModel> model_;
+    std::unique_ptr<ClothSolver> solver_;
+    std::unique_ptr<SelfCollision> collision_;
+    ClothState state_;  // on the host; as fresh as the two flags say
+    bool positions_fresh_ = false, velocities_fresh_ = false;
+    std::vector<glm::vec4> pass_positions_;  // at the last pass, for counting what went through since
+    std::optional<Held> held_;
+    int frame_ = 0;
+    double time_s_ = 0;
+    double pending_s_ = 0;
+};
+
+}  // namespace nuno

@@ -1,0 +1,150 @@
+// The CPU against the GPU.
+#include "study/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/stopwatch.h"
+#include "model/stability.h"
+#include "sim/simulation.h"
+#include "solver/method_table.h"
+
+namespace nuno {
+namespace {
+
+constexpr int kMostTimedFrames = 10, kLeastTimedFrames = 2;
+constexpr double kTimeForFramesMs = 1500;  // for both backends of one point
+
+double median(std::vector<double> values)
+{
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+BackendCost cost_of(const std::vector<FrameStats>& frames, std::uint32_t particles, int substeps)
+{
+    BackendCost cost;
+    const auto median_of = [&](auto ms_of) {
+        std::vector<double> ms;
+        for (const FrameStats& frame : frames) ms.push_back(ms_of(frame.stage_ms));
+        return median(ms);
+    };
+    for (const StageInfo& stage : kStages)
+        cost.stage_ms.*stage.ms = median_of([&](const StageTimes& t) { return t.*stage.ms; });
+    cost.frame_ms = median_of(simulation_ms);
+    cost.ns_per_particle_and_substep = cost.stage_ms.solve * 1e6 / (double(particles) * substeps);
+    return cost;
+}
+
+SimParams on(Backend backend, SimParams params)
+{
+    params.backend = backend;
+    return params;
+}
+
+// Whole frames on both backends in turns: times, and the hashes at the end.
+void time_frames(const Scene& scene, const SimParams& params, ComparePoint& point)
+{
+    Simulation cpu(scene, on(Backend::cpu, params)), gpu(scene, on(Backend::gpu, params));
+    cpu.advance_frame();
+    gpu.advance_frame();
+    std::vector<FrameStats> cpu_frames, gpu_frames;
+    Stopwatch watch;
+    while (point.timed_frames < kMostTimedFrames &&
+           (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < kTimeForFramesMs)) {
+        cpu_frames.push_back(cpu.advance_frame());
+        gpu_frames.push_back(gpu.advance_frame());
+        ++point.timed_frames;
+    }
+    point.cpu = cost_of(cpu_frames, point.particles, params.substeps);
+    point.gpu = cost_of(gpu_frames, point.particles, params.substeps);
+    point.frame_hashes_agree = state_hash(cpu.state()) == state_hash(gpu.state());
+}
+
+double largest_difference(const ClothState& a, const ClothState& b)
+{
+    if (first_not_finite(a.positions) || first_not_finite(b.positions)) return -1;
+    double largest = 0;
+    for (std::size_t v = 0; v < a.positions.size(); ++v)
+        largest = std::max(largest, glm::distance(glm::dvec3(a.positions[v]), glm::dvec3(b.positions[v])));
+    return largest;
+}
+
+// The same substeps on both backends from the same start, compared on the way.
+void compare_substeps(const ClothModel& model, const Colliders& colliders, const SimParams& params, ComparePoint& point)
+{
+    ThreadPool pool(params.threads);
+    ClothState a = start_state(model, params), b = a;
+    const auto cpu = make_solver(model, colliders, on(Backend::cpu, params), pool);
+    const auto gpu = make_solver(model, colliders, on(Backend::gpu, params), pool);
+    cpu->upload(a);
+    gpu->upload(b);
+    point.substep_hashes_agree = true;
+    for (std::size_t k = 0, done = 0; k < kComparedSubsteps.size(); ++k) {
+        const StepInput input{params, double(done) * double(substep_s(params)), kComparedSubsteps[k] - int(done)};
+        for (const auto& [solver, state] : {std::pair(cpu.get(), &a), std::pair(gpu.get(), &b)}) {
+            solver->step(input);
+            solver->download_positions(state->positions);
+            solver->download_velocities(state->velocities);
+        }
+        done = std::size_t(kComparedSubsteps[k]);
+        point.largest_difference_m[k] = largest_difference(a, b);
+        point.substep_hashes_agree = point.substep_hashes_agree && state_hash(a) == state_hash(b);
+    }
+}
+
+ComparePoint compare_point(const Scene& scene, SimParams params, int size)
+{
+    ComparePoint point;
+    point.scene = scene.name;
+    point.size = size;
+    if (size > 0) params.resolution = size;
+    const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
+    params.substeps = std::max(params.substeps, least_stable_substeps(model, params));
+    point.particles = model.vertex_count();
+    point.substeps = params.substeps;
+    compare_substeps(model, scene.colliders, params, point);
+    time_frames(scene, params, point);
+    return point;
+}
+
+bool has_grid(const Scene& scene)
+{
+    return std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const SheetSpec& s) { return s.mesh.empty(); });
+}
+
+}  // namespace
+
+std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs, const CompareProgress& progress)
+{
+    struct Job
+    {
+        const Scene* scene;
+        const SimParams* params;
+        int size;
+    };
+    std::vector<Job> jobs;
+    for (const auto& [scene, params] : runs) {
+        if (!has_grid(scene)) jobs.push_back({&scene, &params, 0});
+        for (const int size : kComparedSizes)
+            if (has_grid(scene)) jobs.push_back({&scene, &params, size});
+    }
+    std::vector<ComparePoint> points;
+    for (const Job& job : jobs) {
+        if (!progress(int(points.size()), int(jobs.size()), job.scene->name + " " + std::to_string(job.size))) break;
+        points.push_back(compare_point(*job.scene, *job.params, job.size));
+    }
+    return points;
+}
+
+bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl)
+{
+    return std::all_of(points.begin(), points.end(), [&](const ComparePoint& p) {
+        if (software_gl) return p.substep_hashes_agree && p.frame_hashes_agree;
+        return p.largest_difference_m[0] >= 0 && p.largest_difference_m[0] <= 1e-5;
+    });
+}
+
+}  // namespace nuno

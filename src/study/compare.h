@@ -1,0 +1,53 @@
+// The CPU against the GPU: stage times, their ratio, and how far the results agree.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "sim/frame_stats.h"
+
+namespace nuno {
+
+inline constexpr std::array<int, 4> kComparedSizes{17, 64, 128, 256};  // vertices a side
+inline constexpr std::array<int, 4> kComparedSubsteps{1, 10, 100, 1000};
+
+struct BackendCost
+{
+    StageTimes stage_ms;                      // medians over the timed frames
+    double frame_ms = 0;                      // median of solver and collision together
+    double ns_per_particle_and_substep = 0;   // of the solver
+};
+
+// One scene at one size.
+struct ComparePoint
+{
+    std::string scene;
+    int size = 0;  // vertices along the longer side; 0: the mesh of the scene
+    std::uint32_t particles = 0;
+    int substeps = 0;      // a frame; more than the scene's where its own would be unstable at this size
+    int timed_frames = 0;
+    BackendCost cpu, gpu;
+    std::array<double, 4> largest_difference_m{};  // of a position, after kComparedSubsteps without contact; -1: not finite
+    bool substep_hashes_agree = false;             // after all of them
+    bool frame_hashes_agree = false;               // after the timed frames, with contact
+    double ratio() const { return gpu.frame_ms / cpu.frame_ms; }
+};
+
+// Called before each point; false ends the study with what is done.
+using CompareProgress = std::function<bool(int done, int total, const std::string& what)>;
+
+// An OpenGL context must be current. Runs of the two backends are interleaved.
+std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
+                                           const CompareProgress& progress);
+
+// True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep elsewhere.
+bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl);
+
+std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl);
+nlohmann::ordered_json compare_json(const std::vector<ComparePoint>& points);
+
+}  // namespace nuno

@@ -1,0 +1,57 @@
+// The thread pool runs everything once, in step.
+#include "core/thread_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace nuno {
+namespace {
+
+TEST(ThreadPool, every_thread_runs_the_body_once_a_round)
+{
+    for (const int count : {1, 2, 3, 8}) {
+        ThreadPool pool(count);
+        ASSERT_EQ(pool.thread_count(), count);
+        std::vector<int> runs(static_cast<std::size_t>(count));
+        for (int round = 0; round < 200; ++round) pool.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
+        for (const int r : runs) EXPECT_EQ(r, 200);
+    }
+}
+
+TEST(ThreadPool, what_a_thread_wrote_before_the_barrier_is_seen_after_it)
+{
+    constexpr int kThreads = 3, kSteps = 300;
+    ThreadPool pool(kThreads);
+    std::vector<int> values(kThreads, 0), next(kThreads, 0);
+    SpinBarrier barrier(kThreads);
+    pool.run([&](int thread) {
+        const auto t = static_cast<std::size_t>(thread);
+        for (int step = 0; step < kSteps; ++step) {
+            next[t] = values[(t + 1) % kThreads] + 1;
+            barrier.arrive_and_wait();
+            values[t] = next[t];
+            barrier.arrive_and_wait();
+        }
+    });
+    for (const int value : values) EXPECT_EQ(value, kSteps);
+}
+
+TEST(ThreadPool, the_parts_cover_everything_once)
+{
+    for (const int count : {0, 1, 7, 64, 1000})
+        for (const int grain : {1, 8, 64})
+            for (const int threads : {1, 2, 3, 7}) {
+                int next = 0;
+                for (int thread = 0; thread < threads; ++thread) {
+                    const Range part = part_of(count, grain, thread, threads);
+                    EXPECT_EQ(part.begin, next);
+                    EXPECT_TRUE(part.begin % grain == 0 || part.begin == count);
+                    next = part.end;
+                }
+                EXPECT_EQ(next, count);
+            }
+}
+
+}  // namespace
+}  // namespace nuno

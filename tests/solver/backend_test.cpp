@@ -1,0 +1,138 @@
+// Compute shaders against CPU threads: the same bits on a software renderer.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "gl/egl_context.h"
+#include "solver/method_table.h"
+#include "support/sheets.h"
+
+namespace nuno {
+namespace {
+
+const Colliders kNoColliders;
+
+class BackendTest : public testing::TestWithParam<Method>
+{
+  protected:
+    BackendTest() : context_(make_headless_context()) {}
+    ~BackendTest() override
+    {
+        for (const std::string& error : take_gl_errors()) ADD_FAILURE() << error;
+    }
+    std::unique_ptr<Context> context_;
+};
+
+struct Pair
+{
+    Pair(const ClothModel& model, const Colliders& colliders, SimParams params) : pool(2)
+    {
+        params.backend = Backend::cpu;
+        cpu = make_solver(model, colliders, params, pool);
+        params.backend = Backend::gpu;
+        gpu = make_solver(model, colliders, params, pool);
+    }
+    ThreadPool pool;
+    std::unique_ptr<ClothSolver> cpu, gpu;
+};
+
+ClothState state_of(ClothSolver& solver, std::size_t count)
+{
+    ClothState state{std::vector<glm::vec4>(count), std::vector<glm::vec4>(count)};
+    solver.download_positions(state.positions);
+    solver.download_velocities(state.velocities);
+    return state;
+}
+
+// Hardware may divide and take roots to a few ulp: it is held to a distance, over few substeps.
+void expect_agreement(ClothSolver& cpu, ClothSolver& gpu, std::size_t count, int substeps)
+{
+    const ClothState a = state_of(cpu, count), b = state_of(gpu, count);
+    if (gl_info().software) {
+        EXPECT_EQ(state_hash(a), state_hash(b)) << "after " << substeps << " substeps";
+        return;
+    }
+    for (std::size_t v = 0; substeps <= 10 && v < count; ++v)
+        EXPECT_LE(glm::distance(glm::vec3(a.positions[v]), glm::vec3(b.positions[v])), 1e-5f) << "vertex " << v;
+}
+
+TEST_P(BackendTest, grids_and_meshes_agree_after_1_10_100_and_1000_substeps)
+{
+    Colliders colliders;
+    colliders.planes.push_back({{0, 1, 0}, -1.2f});
+    colliders.spheres.push_back({{0.4f, -0.7f, 0.15f}, 0.25f});
+    for (const SheetSource& source : {square_sheet(17, 1, {0, 16}), square_mesh(17, 1, 64), square_sheet(23, 1)}) {
+        const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
+        SimParams params;
+        params.method = GetParam();
+        params.substeps = 60;
+        params.seed = 9;
+        params.jitter = 1e-3f;
+        params.wind_strength = 2;
+        params.damping = params.method == Method::explicit_euler ? 8.0f : 0.2f;
+        Pair pair(model, colliders, params);
+        const ClothState start = start_state(model, params);
+        pair.cpu->upload(start);
+        pair.gpu->upload(start);
+        int done = 0;
+        for (const int substeps : {1, 10, 100, 1000}) {
+            const StepInput input{params, done * double(substep_s(params)), substeps - done};
+            pair.cpu->step(input);
+            pair.gpu->step(input);
+            done = substeps;
+            expect_agreement(*pair.cpu, *pair.gpu, model.vertex_count(), substeps);
+        }
+        EXPECT_EQ(pair.cpu->first_not_finite(), std::nullopt);
+        EXPECT_NE(state_hash(state_of(*pair.cpu, model.vertex_count())), state_hash(start)) << "nothing moved";
+    }
+}
+
+TEST_P(BackendTest, live_changes_of_parameters_agree)
+{
+    const ClothModel model = square_cloth(17, 1, {0});
+    SimParams params;
+    params.method = GetParam();
+    params.damping = 8;
+    params.substeps = 100;
+    Pair pair(model, kNoColliders, params);
+    for (ClothSolver* solver : {pair.cpu.get(), pair.gpu.get()}) {
+        SimParams live = params;
+        solver->upload(start_state(model, live));
+        solver->step({live, 0, 20});
+        live.structural_stiffness *= 3;
+        live.wind_mean = 1;
+        solver->step({live, 0.1, 20});
+        solver->set_vertex(100, {0.3f, 0.2f, 0.1f, 0});
+        solver->step({live, 0.2, 21});
+    }
+    expect_agreement(*pair.cpu, *pair.gpu, model.vertex_count(), 10);
+    const ClothState state = state_of(*pair.gpu, model.vertex_count());
+    EXPECT_EQ(glm::vec3(state.positions[100]), glm::vec3(0.3f, 0.2f, 0.1f)) << "a held vertex stays";
+}
+
+TEST_P(BackendTest, the_first_number_that_is_not_finite_is_found_on_both)
+{
+    const ClothModel model = square_cloth(9, 1);
+    SimParams params;
+    params.method = GetParam();
+    Pair pair(model, kNoColliders, params);
+    ClothState state = start_state(model, params);
+    for (ClothSolver* solver : {pair.cpu.get(), pair.gpu.get()}) {
+        solver->upload(state);
+        EXPECT_EQ(solver->first_not_finite(), std::nullopt);
+    }
+    state.velocities[42].z = std::numeric_limits<float>::quiet_NaN();
+    state.positions[60].x = std::numeric_limits<float>::infinity();
+    for (ClothSolver* solver : {pair.cpu.get(), pair.gpu.get()}) {
+        solver->upload(state);
+        EXPECT_EQ(solver->first_not_finite(), 42u);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, BackendTest, testing::Values(Method::explicit_euler, Method::symplectic_euler),
+                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+
+}  // namespace
+}  // namespace nuno

@@ -1,0 +1,70 @@
+// Runs nuno as a user would.
+#include "support/program_run.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/files.h"
+
+namespace nuno {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void become_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                                 const fs::path& out, const fs::path& err)
+{
+    for (const std::string& setting : environment) {
+        const std::size_t equals = setting.find('=');
+        const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+        if (value.empty())
+            unsetenv(name.c_str());
+        else
+            setenv(name.c_str(), value.c_str(), 1);
+    }
+    if (!std::freopen(out.c_str(), "w", stdout) || !std::freopen(err.c_str(), "w", stderr)) _exit(126);
+    std::vector<char*> arguments{const_cast<char*>(NUNO_PROGRAM)};
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    execv(NUNO_PROGRAM, arguments.data());
+    _exit(127);
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment)
+{
+    const TemporaryDirectory directory;
+    const fs::path out = directory.path() / "out", err = directory.path() / "err";
+    const pid_t child = fork();
+    if (child == 0) become_program(words, environment, out, err);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
+}
+
+TemporaryDirectory::TemporaryDirectory()
+{
+    std::string name = (fs::temp_directory_path() / "nuno-test-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
+    path_ = name;
+}
+
+TemporaryDirectory::~TemporaryDirectory()
+{
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+fs::path TemporaryDirectory::write(const std::string& name, const std::string& text) const
+{
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+}
+
+}  // namespace nuno

@@ -1,0 +1,34 @@
+// Runs nuno as a user would, and keeps what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nuno {
+
+struct ProgramResult
+{
+    int exit_code = -1;
+    std::string out, err;
+};
+
+// Runs `nuno WORDS...` with further NAME=VALUE settings in its environment (an empty VALUE removes NAME).
+ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {});
+
+// A directory of its own for one test, removed with the object.
+class TemporaryDirectory
+{
+  public:
+    TemporaryDirectory();
+    ~TemporaryDirectory();
+    TemporaryDirectory(const TemporaryDirectory&) = delete;
+    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace nuno
