@@ -23,7 +23,7 @@ class Buffer
     GLuint id() const { return id_; }
     std::size_t size_bytes() const { return bytes_; }
 
-    // Replaces the bytes from `offset` on. After kernels wrote the buffer: barrier_compute_to_upload first.
+    // Replaces the bytes from `offset` [bytes] on. After kernels wrote the buffer: barrier_compute_to_upload first.
     void update(std::size_t offset, std::span<const std::byte> bytes);
     template <class T>
     void update(std::size_t offset, const std::vector<T>& values)

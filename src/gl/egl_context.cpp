@@ -5,7 +5,6 @@
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
@@ -154,7 +153,7 @@ std::unique_ptr<Context> try_display(EGLDisplay display, std::string& found)
         return nullptr;
     }
     auto owner = std::make_unique<EglContext>(display, context, surface.surface);
-    owner->make_current();
+    if (!eglMakeCurrent(display, surface.surface, surface.surface, context)) return nullptr;
     load_gl(reinterpret_cast<GLADloadfunc>(eglGetProcAddress));
     return owner;
 }
@@ -164,14 +163,14 @@ std::unique_ptr<Context> try_display(EGLDisplay display, std::string& found)
 std::unique_ptr<Context> make_headless_context()
 {
     const char* software = std::getenv("LIBGL_ALWAYS_SOFTWARE");
-    const bool any_renderer = software && *software;
+    const bool software_wanted = software && *software;
     std::unique_ptr<Context> slow;
     std::string found;
     for (const Candidate& candidate : candidate_displays()) {
-        if (slow && !candidate.graphics_card) continue;
+        if (candidate.graphics_card ? software_wanted : slow != nullptr) continue;
         std::unique_ptr<Context> context = try_display(candidate.display, found);
         if (!context) continue;
-        if (any_renderer || !gl_info().software) return context;
+        if (software_wanted || !gl_info().software) return context;
         if (!slow) slow = std::move(context);
     }
     if (slow) {

@@ -112,7 +112,7 @@ std::string name_files(const ShaderSource& source, std::string_view log)
         if (found && file < source.files.size()) {
             const std::string number = match[3].matched ? match[3].str() : match[4].str();
             named += fmt::format("{}:{}{}\n", source.files[file], number, match.suffix().str());
-        } else if (!line.empty() && line != "\0") {
+        } else if (!line.empty()) {
             named += line + '\n';
         }
     }

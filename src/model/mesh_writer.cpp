@@ -69,7 +69,8 @@ void PointCache::write(const std::filesystem::path& path) const
     header.sample_count = static_cast<std::int32_t>(point_count_ ? samples_.size() / point_count_ : 0);
     std::vector<std::byte> bytes(sizeof header + samples_.size() * sizeof(glm::vec3));
     std::memcpy(bytes.data(), &header, sizeof header);
-    if (!samples_.empty()) std::memcpy(bytes.data() + sizeof header, samples_.data(), samples_.size() * sizeof(glm::vec3));
+    if (!samples_.empty())
+        std::memcpy(bytes.data() + sizeof header, samples_.data(), samples_.size() * sizeof(glm::vec3));
     write_whole(path, bytes);
 }
 

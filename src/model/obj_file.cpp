@@ -30,8 +30,8 @@ void check_obj_text(const std::string& text, const std::string& path)
             int count = 0;
             for (; count < 3 && words >> word; ++count)
                 if (!std::isfinite(parse_number(word[0] == '+' ? word.substr(1) : word).value_or(NAN)))
-                    throw Error(
-                        fmt::format("{}:{}: '{}' is no finite number; a vertex is `v x y z` in metres", path, number, word));
+                    throw Error(fmt::format("{}:{}: '{}' is no finite number; a vertex is `v x y z` in metres", path,
+                                            number, word));
             if (count < 3) throw Error(fmt::format("{}:{}: a vertex needs three numbers, `v x y z`", path, number));
         } else if (word == "f") {
             int count = 0;

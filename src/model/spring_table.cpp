@@ -32,7 +32,8 @@ std::vector<Offset> frequent_offsets(std::span<const Spring> springs, SpringKind
     for (const auto& [offset, use] : uses) ranked.emplace_back(-use, offset);
     std::sort(ranked.begin(), ranked.end());
     std::vector<Offset> offsets;
-    for (std::size_t i = 0; i < ranked.size() && i < static_cast<std::size_t>(count); ++i) offsets.push_back(ranked[i].second);
+    for (std::size_t i = 0; i < ranked.size() && i < static_cast<std::size_t>(count); ++i)
+        offsets.push_back(ranked[i].second);
     return offsets;
 }
 
@@ -42,7 +43,9 @@ void place_springs(SpringTable& table, std::span<const Spring> springs, SpringKi
 {
     const int first = table.first_slot[static_cast<int>(kind)], end = table.first_slot[static_cast<int>(kind) + 1];
     const std::vector<Offset> own_slot = frequent_offsets(springs, kind, end - first);
-    const auto entry = [&](int slot, std::uint32_t v) { return static_cast<std::size_t>(slot) * table.vertex_count + v; };
+    const auto entry = [&](int slot, std::uint32_t v) {
+        return static_cast<std::size_t>(slot) * table.vertex_count + v;
+    };
     const auto put = [&](int slot, std::uint32_t from, std::uint32_t to, float rest_length) {
         table.neighbours[entry(slot, from)] = to;
         table.rest_lengths[entry(slot, from)] = rest_length;

@@ -48,7 +48,8 @@ double omega_max_bound(const ClothModel& model, const SimParams& params)
 
 double largest_stable_substep(const ClothModel& model, const SimParams& params)
 {
-    const double omega = omega_max_bound(model, params);
+    // A thread stretched to l pulls across its length, too: omega^2 grows by the factor 2 - l0 / l.
+    const double omega = omega_max_bound(model, params) * std::sqrt(2 - 1 / (1 + kStretchAllowedFor));
     const double damping_rate = double(params.damping) / double(params.areal_density);  // c / m [1/s]
     if (omega <= 0) return damping_rate > 0 ? 2 / damping_rate : 1e9;
     const double zeta = damping_rate / (2 * omega);

@@ -16,8 +16,12 @@ using Json = nlohmann::ordered_json;
 
 Json counts_json(const CollisionCounts& count)
 {
-    return {{"pairs_tested", count.pairs_tested}, {"pairs_culled", count.pairs_culled}, {"contacts", count.contacts},
-            {"impacts", count.impacts},           {"zones", count.zones},               {"rollbacks", count.rollbacks},
+    return {{"pairs_tested", count.pairs_tested},
+            {"pairs_culled", count.pairs_culled},
+            {"contacts", count.contacts},
+            {"impacts", count.impacts},
+            {"zones", count.zones},
+            {"rollbacks", count.rollbacks},
             {"unresolved", count.unresolved}};
 }
 

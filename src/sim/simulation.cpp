@@ -193,15 +193,17 @@ std::optional<std::string> Simulation::stability_warning() const
     const std::string advice = substeps > 0
                                    ? fmt::format("--set substeps={} holds", substeps)
                                    : std::string("no number of substeps holds; more damping or softer springs would");
-    return fmt::format("{}: substep {:.3g} s is longer than the {:.3g} s up to which {} is sure to be stable; {}",
-                       scene_.name, substep_s(params_), limit_s, method, advice);
+    return fmt::format("{}: substep {:.3g} s is longer than the {:.3g} s up to which {} is stable; {}", scene_.name,
+                       substep_s(params_), limit_s, method, advice);
 }
 
 void Simulation::check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const
 {
     if (!bad) return;
     const std::string advice =
-        stability_warning().value_or("the forces outgrew single precision; lower wind or stiffness");
+        stability_warning().value_or(fmt::format("threads stretched past {:.0f} % need shorter substeps; try --set "
+                                                 "substeps={}, or less wind",
+                                                 100 * kStretchAllowedFor, 2 * params_.substeps));
     throw Error(fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite; {}", scene_.name,
                             frame_ + 1, first_substep + 1, last_substep, *bad, advice),
                 ExitCode::went_bad);

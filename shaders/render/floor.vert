@@ -1,0 +1,14 @@
+#version 430 core
+// The floor: one square that reaches to where it has faded.
+#include "shared/render_bindings.h"
+#include "render/view_block.glsl"
+
+out vec3 world_position;
+
+void main()
+{
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+    world_position =
+        floor_centre.xyz + floor_across.w * (corner.x * floor_across.xyz + corner.y * floor_along.xyz);
+    gl_Position = view_projection * vec4(world_position, 1.0);
+}

@@ -1,0 +1,12 @@
+#version 430 core
+// The cloth as the key light sees it on the floor.
+#include "shared/render_bindings.h"
+#include "render/view_block.glsl"
+#include "render/shadow_projection.glsl"
+
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
+
+void main()
+{
+    gl_Position = on_shadow_square(position);
+}

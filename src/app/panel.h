@@ -1,0 +1,70 @@
+// The viewer's panel: the scene and its parameters on the left, what they cost on the right.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "app/panel_params.h"
+#include "app/stage_graph.h"
+#include "app/viewer_log.h"
+#include "app/viewer_pace.h"
+#include "app/viewer_session.h"
+#include "gl/context.h"
+#include "model/diagnostics.h"
+
+namespace nuno {
+
+// What the viewer has measured, for the panel to show.
+struct ViewerMeters
+{
+    GlInfo gl;
+    StageHistory stages;
+    ViewerPace pace;
+    CollisionCounts count;                   // of the last simulated frame
+    std::optional<Diagnostics> diagnostics;  // of some frame lately; none where the user turned them off
+    bool measure = true;                     // the checkbox: diagnostics copy the cloth from the device
+};
+
+// What the user asked for that the panel cannot do itself.
+struct PanelRequests
+{
+    bool screenshot = false, frame_all = false;
+};
+
+class Panel
+{
+  public:
+    explicit Panel(ViewerLog& log) : log_(log), params_(log) {}
+
+    bool visible = true, help = false;
+    std::string notice;  // one line of good news, such as the name of a file that was written
+
+    // `scale`: window coordinates for each unit of the layout.
+    PanelRequests draw(ViewerSession& session, ViewerMeters& meters, float scale);
+
+  private:
+    void place_window(float x, float y, float width, float height) const;
+    PanelRequests draw_scene_panel(ViewerSession& session);
+    void draw_scene_list(ViewerSession& session);
+    PanelRequests draw_buttons(ViewerSession& session);
+    void draw_messages(ViewerSession& session);
+    bool message_button(const std::string& text);
+    void draw_parameters(ViewerSession& session);
+
+    ViewerLog& log_;
+    ParamPanel params_;
+    std::vector<std::string> scenes_;  // of the list, read each time it is opened
+    glm::vec2 placed_for_{0};          // the window's size that the panels were last laid out for
+    float scale_ = 0;
+    bool place_again_ = true;
+};
+
+// The contents of the window on the right.
+void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale);
+
+// The list of keys and mouse movements, in the middle; `open` becomes false where it was closed.
+void draw_help(bool& open);
+
+}  // namespace nuno

@@ -1,0 +1,92 @@
+// What the frames cost, and what the cloth is doing.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/panel.h"
+#include "app/panel_controls.h"
+
+namespace nuno {
+namespace {
+
+constexpr float kGraphHeight = 90;
+
+void text_pair(const char* name, const std::string& value)
+{
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(value.c_str());
+}
+
+void draw_pace(const ViewerSession& session, const ViewerMeters& meters)
+{
+    std::string text = fmt::format("{:.0f} frames/s", meters.pace.frames_per_second());
+    text += session.paused() ? ", paused" : fmt::format(", {:.2f} x real time", meters.pace.real_time_factor());
+    ImGui::TextUnformatted(text.c_str());
+    const std::string device = meters.gl.renderer + (meters.gl.software ? " (software: CPU times)" : "");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", device.c_str());
+    ImGui::PopStyleColor();
+}
+
+std::string ms_text(float ms) { return ms < 10 ? fmt::format("{:.2f}", ms) : ms < 100 ? fmt::format("{:.1f}", ms) : fmt::format("{:.0f}", ms); }
+
+void draw_stage(const StageHistory& stages, std::size_t stage)
+{
+    ImGui::TableNextColumn();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetFontSize() * 0.7f, top = corner.y + ImGui::GetFontSize() * 0.2f;
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + side, top + side}, graph_stage_colour(stage), 2);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side * 1.5f);
+    ImGui::TextUnformatted(std::string(graph_stage_name(stage)).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(ms_text(stages.smoothed_ms(stage)).c_str());
+}
+
+// Two columns of stages, filled downwards.
+void draw_stages(const StageHistory& stages)
+{
+    if (!ImGui::BeginTable("stages", 4, ImGuiTableFlags_SizingStretchProp)) return;
+    constexpr std::size_t kRows = (kGraphStages + 1) / 2;
+    for (std::size_t row = 0; row < kRows; ++row) {
+        draw_stage(stages, row);
+        if (row + kRows < kGraphStages) draw_stage(stages, row + kRows);
+    }
+    ImGui::EndTable();
+    float total_ms = 0;
+    for (std::size_t stage = 0; stage < kGraphStages; ++stage) total_ms += stages.smoothed_ms(stage);
+    ImGui::TextDisabled("%s", fmt::format("all together {:.1f} ms a frame", total_ms).c_str());
+}
+
+void draw_cloth_numbers(ViewerMeters& meters, ViewerLog& log)
+{
+    ImGui::Checkbox("energy and strain", &meters.measure);
+    note_control(log, "measure");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Measured every few frames; on the gpu backend this copies the cloth from the device.");
+    if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingStretchProp)) return;
+    text_pair("contacts", fmt::format("{}", meters.count.contacts));
+    text_pair("pairs tested", fmt::format("{}", meters.count.pairs_tested));
+    if (meters.diagnostics) {
+        const Diagnostics& d = *meters.diagnostics;
+        text_pair("kinetic energy", fmt::format("{:.4g} J", d.kinetic_j));
+        text_pair("elastic energy", fmt::format("{:.4g} J", d.elastic_j));
+        text_pair("gravity energy", fmt::format("{:.4g} J", d.gravity_j));
+        text_pair("largest strain", fmt::format("{:.1f} %", 100 * d.max_strain));
+        text_pair("highest speed", fmt::format("{:.2f} m/s", d.max_speed));
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale)
+{
+    draw_pace(session, meters);
+    draw_stage_graph(meters.stages, ImGui::GetContentRegionAvail().x, kGraphHeight * scale);
+    draw_stages(meters.stages);
+    ImGui::Separator();
+    draw_cloth_numbers(meters, log);
+}
+
+}  // namespace nuno

@@ -1,0 +1,57 @@
+// The list of keys.
+#include <imgui.h>
+
+#include <span>
+#include <utility>
+
+#include "app/panel.h"
+
+namespace nuno {
+namespace {
+
+using Line = std::pair<const char*, const char*>;
+constexpr Line kMouse[] = {{"Left drag on the cloth", "drags the nearest vertex"},
+                           {"Left drag elsewhere", "turns the camera"},
+                           {"Right or middle drag", "moves the picture"},
+                           {"Wheel", "nearer, farther"},
+                           {"Ctrl-click on a slider", "types a value"},
+                           {".toml dropped here", "shows that scene"}};
+constexpr Line kKeys[] = {{"Space", "pause, play"},
+                          {"N or Right", "one frame"},
+                          {"R", "restart"},
+                          {"F", "show all of the cloth"},
+                          {"S or F12", "photo: nuno_0001.png, ..."},
+                          {"Tab", "hide or show the panels"},
+                          {"H or F1", "this list"},
+                          {"Q or Esc", "close"}};
+
+void draw_lines(const char* title, std::span<const Line> lines)
+{
+    if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const auto& [left, right] : lines) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(left);
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", right);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_help(bool& open)
+{
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowBgAlpha(1);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("Keys and mouse", &open, kFlags)) {
+        draw_lines("keys", kKeys);
+        ImGui::Separator();
+        draw_lines("mouse", kMouse);
+    }
+    ImGui::End();
+}
+
+}  // namespace nuno

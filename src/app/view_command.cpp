@@ -1,0 +1,36 @@
+// `nuno view`.
+#include "app/view_command.h"
+
+#include "app/viewer.h"
+
+namespace nuno {
+
+void add_view_flags(CLI::App& command, ViewFlags& flags)
+{
+    command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file");
+    add_common_flags(command, flags.common);
+    command.add_option("--size", flags.size, "Size of the window, WxH");
+    command.add_flag("--paused", flags.paused, "Start at rest");
+    command.add_flag("--log-actions", flags.log_actions, "Tell every action and the place of every control on stderr");
+}
+
+int run_view(const ViewFlags& flags)
+{
+    // A scene loaded later keeps what the command line set.
+    const auto load = [&flags](const std::string& name_or_path) {
+        SceneRun run = prepare_run(flags.common, name_or_path);
+        apply_size(flags.size, run.view);
+        return ViewerScene{std::move(run.scene), run.params, run.view};
+    };
+    ViewerOptions options;
+    options.start = load(flags.common.scene);
+    options.load = load;
+    options.width = options.start.view.width;
+    options.height = options.start.view.height;
+    options.paused = flags.paused;
+    options.log_actions = flags.log_actions;
+    options.json = flags.common.json;
+    return run_viewer(options);
+}
+
+}  // namespace nuno

@@ -1,0 +1,262 @@
+// The loop of the viewer: input, simulation, picture, panel.
+#include "app/viewer.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/interrupt.h"
+#include "app/machine.h"
+#include "app/panel.h"
+#include "app/viewer_log.h"
+#include "app/viewer_picture.h"
+#include "app/viewer_pointer.h"
+#include "app/viewer_ui.h"
+#include "app/window.h"
+#include "core/error.h"
+#include "core/stopwatch.h"
+
+namespace nuno {
+namespace {
+
+constexpr int kFramesPerMeasurement = 10;
+constexpr double kLivelyMs = 1000;       // after an input the panel may still change,
+constexpr int kLivelyFrames = 3;         // however slow the frames are
+constexpr double kNoticeMs = 8000;       // a notice stays
+constexpr double kPlayingWaitS = 0.001;  // while the next simulated frame is not due yet
+constexpr double kPausedWaitS = 0.25;
+constexpr double kMinimisedWaitS = 0.1;
+
+class Viewer
+{
+  public:
+    explicit Viewer(const ViewerOptions& options);
+    int run();
+
+  private:
+    bool frame(const WindowInput& input);
+    void handle_keys(const std::vector<KeyEvent>& keys);
+    void handle_key(int key);
+    void frame_all();
+    void stir();
+    void add_stats(const std::vector<FrameStats>& stats);
+    void measure();
+    void show(const WindowInput& input);
+    void draw_panel(const PointerArea& area);
+    void take_photo();
+    void note_start();
+    void end_shown_frame();
+
+    ViewerOptions options_;
+    ViewerLog log_;
+    Window window_;
+    ViewerUi ui_;
+    ViewerSession session_;
+    ViewerPicture picture_;
+    ViewerPointer pointer_;
+    Panel panel_;
+    ViewerMeters meters_;
+
+    Stopwatch since_advance_, since_shown_, since_input_, since_notice_;
+    StageTimes stage_ms_;  // since the last frame that was shown
+    int simulated_frames_ = 0;
+    double simulated_s_ = 0;
+    int frames_to_measurement_ = 0;
+    int lively_frames_ = kLivelyFrames;
+    int start_count_ = 0;
+    bool photo_asked_ = false, panel_has_keys_ = false, help_shown_ = false;
+    glm::ivec2 pixels_{0};
+};
+
+Viewer::Viewer(const ViewerOptions& options)
+    : options_(options),
+      log_(options.log_actions),
+      window_({"nuno", {options.width, options.height}, options.vsync, options.debug_context}),
+      ui_(window_),
+      session_(options, log_, !options.json.empty()),
+      pointer_(log_),
+      panel_(log_)
+{
+    meters_.gl = gl_info();
+    log_.action("window {}x{} content scale {}", window_.size().x, window_.size().y, window_.content_scale());
+}
+
+int Viewer::run()
+{
+    watch_interrupts();
+    bool shown = true;
+    while (!window_.should_close() && !interrupted()) {
+        const bool minimised = pixels_.x == 0 || pixels_.y == 0;
+        const double rest_s = minimised ? kMinimisedWaitS : session_.paused() ? kPausedWaitS : kPlayingWaitS;
+        shown = frame(window_.poll(shown ? 0 : rest_s));
+    }
+    if (!options_.json.empty())
+        session_.write_report(options_.json, machine_info(&meters_.gl, session_.simulation().thread_count()));
+    log_.action("closed");
+    return static_cast<int>(interrupted() ? ExitCode::interrupted : ExitCode::done);
+}
+
+// True where something was drawn; a window in which nothing changes is left alone.
+bool Viewer::frame(const WindowInput& input)
+{
+    if (input.any) stir();
+    if (!input.dropped_files.empty()) session_.load(input.dropped_files.front());
+    const glm::ivec2 pixels = window_.framebuffer_size();
+    if (pixels != pixels_) log_.action("framebuffer {}x{}", pixels.x, pixels.y);
+    if (std::exchange(pixels_, pixels) != pixels) stir();
+    const double elapsed_s = since_advance_.lap_ms() / 1000;
+    if (pixels.x == 0 || pixels.y == 0) return false;
+    const bool was_paused = session_.paused();
+    const std::vector<FrameStats> stats = session_.advance(elapsed_s);
+    add_stats(stats);
+    if (session_.paused() != was_paused) stir();
+    const bool lively = lively_frames_ > 0 || since_input_.elapsed_ms() < kLivelyMs || ui_.wants_keys();
+    if (stats.empty() && !lively) return false;
+    show(input);
+    return true;
+}
+
+// Something happened that the next frames have to show.
+void Viewer::stir()
+{
+    since_input_ = {};
+    lively_frames_ = kLivelyFrames;
+}
+
+void Viewer::add_stats(const std::vector<FrameStats>& stats)
+{
+    for (const FrameStats& frame : stats) {
+        for (const StageInfo& stage : kStages) stage_ms_.*stage.ms += frame.stage_ms.*stage.ms;
+        simulated_s_ += 1.0 / session_.simulation().params().frame_rate;
+        meters_.count = frame.count;
+    }
+    simulated_frames_ += static_cast<int>(stats.size());
+    frames_to_measurement_ -= static_cast<int>(stats.size());
+}
+
+void Viewer::measure()
+{
+    if (!meters_.measure || session_.went_bad()) return meters_.diagnostics.reset();
+    if (meters_.diagnostics && frames_to_measurement_ > 0) return;
+    meters_.diagnostics = session_.simulation().diagnostics();
+    frames_to_measurement_ = kFramesPerMeasurement;
+}
+
+void Viewer::show(const WindowInput& input)
+{
+    Stopwatch watch;
+    ui_.begin_frame();
+    const glm::ivec2 size = window_.size();
+    const PointerArea area{glm::vec2(size), ui_.scale(), ui_.wants_pointer()};
+    if (std::exchange(help_shown_, panel_.help) != panel_.help)
+        log_.action("help {}", panel_.help ? "shown" : "hidden");
+    if (std::exchange(panel_has_keys_, ui_.wants_keys()) != ui_.wants_keys())
+        log_.action("keys go to the {}", panel_has_keys_ ? "panel" : "picture");
+    if (!panel_has_keys_) handle_keys(input.keys);
+    pointer_.handle(input.pointer, area, session_);
+    if (session_.start_count() != start_count_) note_start();
+    double panel_ms = watch.lap_ms();
+
+    picture_.draw(session_, pixels_, stage_ms_);
+    measure();
+    watch.lap_ms();
+    draw_panel(area);
+    panel_ms += watch.lap_ms();
+    if (std::exchange(photo_asked_, false)) take_photo();
+    window_.swap();
+
+    meters_.stages.add(stage_column(stage_ms_, stage_ms_.render, panel_ms), simulated_frames_);
+    end_shown_frame();
+}
+
+void Viewer::draw_panel(const PointerArea& area)
+{
+    if (since_notice_.elapsed_ms() > kNoticeMs) panel_.notice.clear();
+    const PanelRequests requests = panel_.draw(session_, meters_, area.scale);
+    pointer_.draw_mark(area, session_);
+    ui_.draw();
+    glFinish();
+    photo_asked_ = photo_asked_ || requests.screenshot;
+}
+
+void Viewer::end_shown_frame()
+{
+    meters_.pace.add(since_shown_.lap_ms() / 1000, simulated_s_);
+    stage_ms_ = {};
+    simulated_s_ = 0;
+    simulated_frames_ = 0;
+    --lively_frames_;
+    if (!options_.debug_context && !options_.log_actions) return;
+    for (const std::string& error : take_gl_errors()) fmt::print(stderr, "view: OpenGL: {}\n", error);
+}
+
+// The scene was started: by the user, or because a change built another cloth.
+void Viewer::note_start()
+{
+    start_count_ = session_.start_count();
+    window_.set_title("nuno - " + session_.simulation().scene().name);
+    meters_.diagnostics.reset();
+    meters_.count = {};
+}
+
+void Viewer::handle_keys(const std::vector<KeyEvent>& keys)
+{
+    for (const KeyEvent& event : keys) {
+        const bool step = event.key == GLFW_KEY_N || event.key == GLFW_KEY_RIGHT;
+        if (step)
+            add_stats(session_.step());
+        else if (!event.repeated)
+            handle_key(event.key);
+    }
+}
+
+void Viewer::handle_key(int key)
+{
+    switch (key) {
+    case GLFW_KEY_SPACE: session_.set_paused(!session_.paused()); break;
+    case GLFW_KEY_R: session_.restart(); break;
+    case GLFW_KEY_F: frame_all(); break;
+    case GLFW_KEY_S:
+    case GLFW_KEY_F12: photo_asked_ = true; break;
+    case GLFW_KEY_H:
+    case GLFW_KEY_F1: panel_.help = !panel_.help; break;
+    case GLFW_KEY_TAB: panel_.visible = !panel_.visible; break;
+    case GLFW_KEY_ESCAPE:
+        if (!std::exchange(panel_.help, false)) window_.close();
+        break;
+    case GLFW_KEY_Q: window_.close(); break;
+    default: break;
+    }
+}
+
+void Viewer::frame_all()
+{
+    if (session_.went_bad()) return;
+    const Diagnostics cloth = session_.simulation().diagnostics();
+    const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(pixels_.y);
+    frame_box(session_.view(), glm::vec3(cloth.lowest), glm::vec3(cloth.highest), aspect);
+    log_.action("framed all");
+}
+
+void Viewer::take_photo()
+{
+    try {
+        const std::string name = write_photo(read_window(pixels_)).string();
+        panel_.notice = "wrote " + name;
+        since_notice_ = {};
+        log_.action("wrote {}", name);
+    } catch (const std::exception& error) {
+        session_.note_error(error);
+    }
+}
+
+}  // namespace
+
+int run_viewer(const ViewerOptions& options)
+{
+    Viewer viewer(options);
+    return viewer.run();
+}
+
+}  // namespace nuno

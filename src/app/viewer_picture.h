@@ -1,0 +1,32 @@
+// The picture in the window: drawn with several samples a pixel, shown, and read back for a photo.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "app/viewer_session.h"
+#include "gl/framebuffer.h"
+#include "render/picture.h"
+
+namespace nuno {
+
+class ViewerPicture
+{
+  public:
+    // Draws the session's scene over the whole window of `pixels` and waits for the device; adds the times to `stage_ms`.
+    void draw(ViewerSession& session, glm::ivec2 pixels, StageTimes& stage_ms);
+
+  private:
+    std::optional<Framebuffer> target_;
+    int target_samples_ = 0;  // as asked; the device may give fewer
+};
+
+// What the window shows now, before the buffers are swapped.
+Picture read_window(glm::ivec2 pixels);
+
+// Writes it as nuno_0001.png or the next number that is free in the working directory, and returns that name.
+std::filesystem::path write_photo(const Picture& picture);
+
+}  // namespace nuno

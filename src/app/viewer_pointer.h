@@ -1,0 +1,57 @@
+// What the mouse does to the picture: drags a vertex of the cloth, or moves the camera.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/vertex_drag.h"
+#include "app/viewer_log.h"
+#include "app/viewer_session.h"
+#include "app/window.h"
+
+namespace nuno {
+
+// Where the mouse moves.
+struct PointerArea
+{
+    glm::vec2 window_size;  // in window coordinates
+    float scale;            // window coordinates for each unit of the layout
+    bool on_panel;          // what is pressed now belongs to the panel
+};
+
+class ViewerPointer
+{
+  public:
+    explicit ViewerPointer(ViewerLog& log) : log_(log) {}
+
+    void handle(const std::vector<PointerEvent>& events, const PointerArea& area, ViewerSession& session);
+    // True while a button that was pressed on the picture is down.
+    bool busy() const { return motion_ != Motion::none; }
+    // Marks the vertex that is dragged, on top of the picture.
+    void draw_mark(const PointerArea& area, ViewerSession& session) const;
+
+  private:
+    enum class Motion
+    {
+        none,
+        drag,
+        orbit,
+        pan
+    };
+    void press(const PointerEvent& event, const PointerArea& area, ViewerSession& session);
+    void move(glm::vec2 place, const PointerArea& area, ViewerSession& session);
+    void release(const PointerEvent& event, ViewerSession& session);
+    bool take_vertex(glm::vec2 place, const PointerArea& area, ViewerSession& session);
+    void log_camera(const ViewParams& view);
+
+    ViewerLog& log_;
+    Motion motion_ = Motion::none;
+    int button_ = -1;  // that started the motion
+    glm::vec2 last_place_{0};
+    std::optional<VertexDrag> drag_;
+    int drag_start_count_ = 0;  // the session's when the vertex was taken
+};
+
+}  // namespace nuno

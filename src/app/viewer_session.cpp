@@ -1,0 +1,195 @@
+// The scene that the viewer shows.
+#include "app/viewer_session.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/cloth_view.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/stopwatch.h"
+#include "model/stability.h"
+
+namespace nuno {
+namespace {
+
+constexpr double kMostFramesAtOnce = 4;  // as Simulation::advance
+
+// The view as the scene's file has it. Its settings were checked when the scene was read.
+ViewParams read_view(const Scene& scene)
+{
+    ViewParams view;
+    for (const ViewSetting& setting : scene.view)
+        if (const ParamInfo* info = find_param(view_param_table(), setting.name))
+            set_param_text(*info, &view, setting.text, setting.where);
+    return view;
+}
+
+std::unique_ptr<SceneView> make_picture(const Simulation& simulation)
+{
+    return std::unique_ptr<SceneView>(new SceneView(make_scene_view(simulation)));
+}
+
+}  // namespace
+
+ViewerSession::ViewerSession(const ViewerOptions& options, ViewerLog& log, bool record)
+    : log_(log), load_(options.load), record_(record), paused_(options.paused)
+{
+    show(options.start);
+}
+
+void ViewerSession::show(ViewerScene scene)
+{
+    const ViewParams file_view = read_view(scene.scene);
+    auto simulation = std::make_unique<Simulation>(std::move(scene.scene), scene.params);
+    picture_ = make_picture(*simulation);
+    simulation_ = std::move(simulation);
+    view_ = scene.view;
+    file_view_ = file_view;
+    started();
+    log_.action("scene {}", simulation_->scene().name);
+}
+
+void ViewerSession::started()
+{
+    recorder_ = {};
+    if (went_bad_) paused_ = false;
+    went_bad_ = false;
+    error_.clear();
+    judge_stability();
+    ++start_count_;
+    log_.set_frame(0);
+}
+
+// Once for each change of the parameters: it looks at every spring.
+void ViewerSession::judge_stability()
+{
+    stability_warning_ = simulation_->stability_warning();
+    if (stability_warning_) stable_substeps_ = least_stable_substeps(simulation_->model(), simulation_->params());
+}
+
+void ViewerSession::note_error(const std::exception& error)
+{
+    error_ = error.what();
+    log_.action("error {}", error_);
+}
+
+// Runs the simulation; where its numbers go bad, it stays as it is and waits for a restart.
+template <class Run>
+std::vector<FrameStats> ViewerSession::run(Run run)
+{
+    std::vector<FrameStats> frames;
+    try {
+        frames = run();
+    } catch (const Error& error) {
+        went_bad_ = error.code() == ExitCode::went_bad;
+        set_paused(true);
+        note_error(error);
+    }
+    log_.set_frame(simulation_->frame());
+    return frames;
+}
+
+std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
+{
+    if (paused_) return {};
+    return run([&] { return record_ ? advance_recorded(elapsed_s) : simulation_->advance(elapsed_s); });
+}
+
+// The report wants every frame measured, so they are asked for one by one.
+std::vector<FrameStats> ViewerSession::advance_recorded(double elapsed_s)
+{
+    std::vector<FrameStats> frames;
+    const double frame_s = 1.0 / simulation_->params().frame_rate;
+    for (double left_s = std::min(elapsed_s, kMostFramesAtOnce * frame_s); left_s > 0; left_s -= frame_s)
+        for (const FrameStats& frame : simulation_->advance(std::min(left_s, frame_s))) {
+            recorder_.add(frame, simulation_->diagnostics());
+            frames.push_back(frame);
+        }
+    return frames;
+}
+
+std::vector<FrameStats> ViewerSession::step()
+{
+    if (went_bad_) return {};
+    paused_ = true;
+    const std::vector<FrameStats> frames = run([&] { return std::vector{simulation_->advance_frame()}; });
+    if (record_)
+        for (const FrameStats& frame : frames) recorder_.add(frame, simulation_->diagnostics());
+    log_.action("stepped");
+    return frames;
+}
+
+void ViewerSession::set_paused(bool paused)
+{
+    if (paused == paused_ || (went_bad_ && !paused)) return;
+    paused_ = paused;
+    log_.action("{}", paused ? "paused" : "playing");
+}
+
+void ViewerSession::restart()
+{
+    log_.action("restarted");
+    simulation_->restart();
+    started();
+}
+
+void ViewerSession::load(const std::string& name_or_path)
+{
+    try {
+        show(load_(name_or_path));
+    } catch (const std::exception& error) {
+        note_error(error);
+    }
+}
+
+void ViewerSession::set_sim_param(const ParamInfo& info, double value)
+{
+    SimParams params = simulation_->params();
+    try {
+        set_param(info, &params, value, "panel");
+        // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
+        const ClothModel* before = &simulation_->model();
+        simulation_->set_params(params);
+        log_.action("{} = {}", info.name, param_text(info, value));
+        if (!went_bad_) error_.clear();
+        if (&simulation_->model() != before) {
+            picture_ = make_picture(*simulation_);
+            started();
+        }
+        judge_stability();
+    } catch (const std::exception& error) {
+        note_error(error);
+    }
+}
+
+void ViewerSession::use_stable_substeps()
+{
+    set_sim_param(*find_param(sim_param_table(), "substeps"), stable_substeps_);
+    if (went_bad_) restart();
+}
+
+void ViewerSession::set_view_param(const ParamInfo& info, double value)
+{
+    set_param(info, &view_, value, "panel");
+    log_.action("{} = {}", info.name, param_text(info, value));
+}
+
+void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
+{
+    Stopwatch watch;
+    GLuint positions = simulation_->position_buffer();
+    if (positions == 0) positions = picture_->upload_positions(simulation_->state().positions);
+    stage_ms.upload += watch.elapsed_ms();
+    picture_->draw(view_, positions, simulation_->scene().colliders, viewport);
+}
+
+void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine)
+{
+    const nlohmann::ordered_json report =
+        make_report(recorder_, *simulation_, machine, params_json(view_param_table(), &view_));
+    write_whole(path, report.dump(2) + "\n");
+}
+
+}  // namespace nuno

@@ -1,0 +1,81 @@
+// The scene that the viewer shows: runs or rests, takes changes, and keeps what went wrong as a message instead of ending.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer.h"
+#include "app/viewer_log.h"
+#include "render/scene_view.h"
+#include "sim/run_recorder.h"
+#include "sim/simulation.h"
+
+namespace nuno {
+
+class ViewerSession
+{
+  public:
+    // An OpenGL context must be current, and stay so. `record`: every frame is kept for a report.
+    // Error where the scene does not work.
+    ViewerSession(const ViewerOptions& options, ViewerLog& log, bool record);
+
+    Simulation& simulation() { return *simulation_; }
+    const Simulation& simulation() const { return *simulation_; }
+    ViewParams& view() { return view_; }
+    // What the scene's file says, for going back to.
+    const SimParams& file_params() const { return simulation_->scene().params; }
+    const ViewParams& file_view() const { return file_view_; }
+    // Draws the present positions with the parameters of view(); adds the time of an upload to `stage_ms`.
+    void draw(const Viewport& viewport, StageTimes& stage_ms);
+
+    bool paused() const { return paused_; }
+    bool went_bad() const { return went_bad_; }  // only a restart helps
+    // What was refused last, or how the simulation went bad; empty where all is well.
+    const std::string& error() const { return error_; }
+    void note_error(const std::exception& error);
+    void dismiss_error() { error_.clear(); }
+    const std::optional<std::string>& stability_warning() const { return stability_warning_; }
+    int stable_substeps() const { return stable_substeps_; }  // that end the warning; 0 where no number does
+    // Grows with every start from the beginning; vertices may have other numbers after it.
+    int start_count() const { return start_count_; }
+
+    // The simulated frames that `elapsed_s` of wall time ask for; none while paused.
+    std::vector<FrameStats> advance(double elapsed_s);
+    std::vector<FrameStats> step();  // one frame, and pauses
+    void set_paused(bool paused);
+    void restart();
+    // Shows another scene; where it cannot be read or does not work, the present one goes on and error() says why.
+    void load(const std::string& name_or_path);
+    void set_sim_param(const ParamInfo& info, double value);
+    // Sets the number of substeps that is stable, and starts again where the simulation went bad.
+    void use_stable_substeps();
+    void set_view_param(const ParamInfo& info, double value);
+
+    // Writes the report of the frames since the last start.
+    void write_report(const std::filesystem::path& path, const MachineInfo& machine);
+
+  private:
+    void show(ViewerScene scene);
+    void started();
+    void judge_stability();
+    template <class Run>
+    std::vector<FrameStats> run(Run run);
+    std::vector<FrameStats> advance_recorded(double elapsed_s);
+
+    ViewerLog& log_;
+    SceneLoader load_;
+    bool record_;
+    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<SceneView> picture_;
+    ViewParams view_, file_view_;
+    RunRecorder recorder_;
+    bool paused_, went_bad_ = false;
+    std::string error_;
+    std::optional<std::string> stability_warning_;
+    int stable_substeps_ = 0;
+    int start_count_ = 0;
+};
+
+}  // namespace nuno

@@ -1,0 +1,34 @@
+// Dear ImGui in the viewer's window: set up, styled, and sized to the screen's content scale.
+#pragma once
+
+#include "app/window.h"
+
+namespace nuno {
+
+class ViewerUi
+{
+  public:
+    // `window` must outlive it; its callbacks must be set before, because these call them on.
+    explicit ViewerUi(Window& window);
+    ~ViewerUi();
+    ViewerUi(const ViewerUi&) = delete;
+    ViewerUi& operator=(const ViewerUi&) = delete;
+
+    // Starts a frame of the panel: from here on the wants_ functions answer for this frame.
+    void begin_frame();
+    // Draws what was described since into the window's framebuffer.
+    void draw();
+
+    // Window coordinates for each unit of a layout meant for content scale 1.
+    float scale() const { return scale_; }
+    bool wants_pointer() const;
+    bool wants_keys() const;
+
+  private:
+    void apply_scale(float content_scale, float pixels_per_unit);
+
+    Window& window_;
+    float content_scale_ = 0, pixels_per_unit_ = 0, scale_ = 1;
+};
+
+}  // namespace nuno

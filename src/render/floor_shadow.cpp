@@ -1,0 +1,47 @@
+// A mask of the floor in the key light.
+#include "render/floor_shadow.h"
+
+#include "shaders/shared/render_bindings.h"
+
+namespace nuno {
+namespace {
+
+// Texels along a side: with the softening, a shadow as blurred as a large lamp makes it.
+constexpr int kSide = 256;
+
+}  // namespace
+
+FloorShadow::FloorShadow()
+    : cloth_(draw_program("render/shadow_cloth.vert", "render/shadow.frag")),
+      sphere_(draw_program("render/shadow_sphere.vert", "render/shadow.frag")),
+      blur_(draw_program("render/whole_picture.vert", "render/blur.frag")),
+      mask_(kSide),
+      between_(kSide)
+{
+}
+
+void FloorShadow::update(const ClothRenderer& cloth, const SphereRenderer& spheres) const
+{
+    glDisable(GL_DEPTH_TEST);
+    mask_.begin();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    cloth_.use();
+    cloth.draw_faces();
+    sphere_.use();
+    spheres.draw_faces();
+    soften(mask_, between_, {1, 0});
+    soften(between_, mask_, {0, 1});
+}
+
+void FloorShadow::soften(const TextureTarget& from, const TextureTarget& to, glm::vec2 direction) const
+{
+    to.begin();
+    from.bind(UNIT_BLUR_SOURCE);
+    blur_.set(LOCATION_BLUR_STEP, direction / float(kSide));
+    blur_.use();
+    no_vertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace nuno

@@ -1,0 +1,54 @@
+// One picture of a scene: cloth, spheres, floor and background, in a window or off screen.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <glm/vec4.hpp>
+
+#include "gl/buffer.h"
+#include "gl/framebuffer.h"
+#include "model/collider.h"
+#include "render/cloth_renderer.h"
+#include "render/floor_shadow.h"
+#include "render/picture.h"
+#include "render/sphere_renderer.h"
+#include "render/stage_renderer.h"
+#include "render/view_params.h"
+
+namespace nuno {
+
+// Where a picture goes.
+struct Viewport
+{
+    GLuint framebuffer = 0;  // 0: the window's
+    int width = 0, height = 0;
+};
+
+class SceneView
+{
+  public:
+    // Error where a texture cannot be read.
+    explicit SceneView(const ClothTopology& cloth) : cloth_(cloth) {}
+
+    // Positions that the CPU holds, as a buffer that the draws below take.
+    GLuint upload_positions(std::span<const glm::vec4> positions) { return cloth_.upload_positions(positions); }
+
+    // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels leave it.
+    // Leaves no vertex array, framebuffer or depth test of its own behind in a way that a later draw would notice.
+    void draw(const ViewParams& params, GLuint positions, const Colliders& colliders, const Viewport& viewport);
+
+    // Draws params.width x height pixels off screen and waits for them.
+    void draw_picture(const ViewParams& params, GLuint positions, const Colliders& colliders, Picture& picture);
+
+  private:
+    ClothRenderer cloth_;
+    SphereRenderer spheres_;
+    StageRenderer stage_;
+    FloorShadow shadow_;
+    Buffer view_block_;
+    std::optional<Framebuffer> target_;
+    int target_samples_ = 0;  // as asked; the device may give fewer
+};
+
+}  // namespace nuno

@@ -1,0 +1,24 @@
+// Draws what is around the cloth: the background and the floor.
+#pragma once
+
+#include "gl/program.h"
+#include "gl/vertex_array.h"
+
+namespace nuno {
+
+class StageRenderer
+{
+  public:
+    StageRenderer();
+
+    // Both draw with the uniform block View bound, after all that stands in front of them. The floor is seen from above only,
+    // and shows the texture bound to UNIT_FLOOR_SHADOW.
+    void draw_floor() const;
+    void draw_background() const;
+
+  private:
+    Program floor_, background_;
+    VertexArray no_vertices_;
+};
+
+}  // namespace nuno

@@ -1,0 +1,82 @@
+// Checks a picture before it is decoded; stb_image fills what is missing from a BMP with black.
+#include "render/texture_file.h"
+
+#include <fmt/format.h>
+#include <stb_image.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace nuno {
+namespace {
+
+constexpr const char* kWanted = "give a 24-bit BMP, a PNG, a JPEG or a TGA file";
+
+struct BmpHeader
+{
+    std::uint32_t pixel_offset;
+    std::int32_t width, height;  // height < 0: rows top-down
+    std::uint16_t bits;
+    std::uint32_t compression;
+};
+
+template <class T>
+T value_at(const std::string& bytes, std::size_t offset)
+{
+    T value;
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+}
+
+// Error where an uncompressed BMP has no pixels, or fewer bytes than its header promises.
+void check_bmp(const std::string& bytes, const std::string& name)
+{
+    constexpr std::size_t kHeaderBytes = 54;
+    if (bytes.size() < kHeaderBytes)
+        throw Error(fmt::format("{}: is cut short: {} bytes, less than the {} of a BMP header; {}", name, bytes.size(),
+                                kHeaderBytes, kWanted));
+    const BmpHeader header{value_at<std::uint32_t>(bytes, 10), value_at<std::int32_t>(bytes, 18),
+                           value_at<std::int32_t>(bytes, 22), value_at<std::uint16_t>(bytes, 28),
+                           value_at<std::uint32_t>(bytes, 30)};
+    if (header.width <= 0 || header.height == 0)
+        throw Error(
+            fmt::format("{}: has {} x {} pixels; {} of at least 1 x 1", name, header.width, header.height, kWanted));
+    if (header.compression != 0) return;
+    const std::uint64_t row = (std::uint64_t(header.width) * header.bits + 31) / 32 * 4;
+    const std::uint64_t needed = header.pixel_offset + row * std::uint64_t(std::abs(std::int64_t(header.height)));
+    if (bytes.size() < needed)
+        throw Error(fmt::format("{}: is cut short: {} bytes, but its {} x {} pixels of {} bits need {}; copy it again",
+                                name, bytes.size(), header.width, header.height, header.bits, needed));
+}
+
+}  // namespace
+
+Picture load_picture(const std::filesystem::path& path, int max_side)
+{
+    const std::string name = path.string();
+    const std::string bytes = read_text(path);
+    if (bytes.empty()) throw Error(fmt::format("{}: is empty; {}", name, kWanted));
+    if (bytes.starts_with("BM")) check_bmp(bytes, name);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    Picture picture;
+    int channels = 0;
+    if (!stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels))
+        throw Error(fmt::format("{}: is no picture that can be read ({}); {}", name, stbi_failure_reason(), kWanted));
+    if (picture.width > max_side || picture.height > max_side)
+        throw Error(fmt::format("{}: has {} x {} pixels, but this device takes {} a side; make it smaller", name,
+                                picture.width, picture.height, max_side));
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4), stbi_image_free);
+    if (!pixels) throw Error(fmt::format("{}: cannot be decoded ({}); {}", name, stbi_failure_reason(), kWanted));
+    picture.rgba.assign(pixels.get(), pixels.get() + 4 * std::size_t(picture.width) * std::size_t(picture.height));
+    return picture;
+}
+
+}  // namespace nuno

@@ -1,0 +1,26 @@
+// The table of view parameters.
+#include "render/view_params.h"
+
+namespace nuno {
+namespace {
+
+constexpr std::string_view kLooks[] = {"gouraud", "phong"};
+constexpr std::string_view kBackgrounds[] = {"studio", "daylight", "night"};
+
+}  // namespace
+
+std::span<const std::string_view> choice_names(Look) { return kLooks; }
+std::span<const std::string_view> choice_names(Background) { return kBackgrounds; }
+
+ParamTable view_param_table()
+{
+    static const ParamInfo table[] = {
+#define NUNO_PARAM_BLOCK ViewParams
+#include "core/param_rows.inc"
+#include "render/view_params.def"
+#include "core/param_rows_end.inc"
+    };
+    return table;
+}
+
+}  // namespace nuno
