@@ -1,0 +1,89 @@
+// Times of the stages of self-collision: refit, and query with the search for contacts, on a flat and a crumpled sheet.
+#include <benchmark/benchmark.h>
+
+#include "collision/self_collision.h"
+#include "tests/collision/poses.h"
+
+namespace nuno {
+namespace {
+
+// A sheet of `side` x `side` vertices, one metre wide; a quarter of the spacing thick.
+struct Bench
+{
+    Pose pose;
+    ThreadPool pool;
+    SelfCollision collision;
+    CollisionSettings settings;
+    std::vector<glm::vec4> velocities;
+
+    Bench(const benchmark::State& state, float amplitude)
+        : pose(amplitude > 0 ? crumpled_sheet(static_cast<int>(state.range(0)), amplitude, 1)
+                             : flat_sheet(static_cast<int>(state.range(0)))),
+          pool(static_cast<int>(state.range(1))),
+          collision(pose.rest, pose.faces, pool),
+          velocities(pose.positions.size())
+    {
+        settings.culling = state.range(2) != 0 ? Culling::seed : Culling::none;
+        settings.range = {0.25f / static_cast<float>(state.range(0)), 0.05f};
+    }
+    CollisionStep step() { return {pose.positions, pose.positions, velocities, 0.01f}; }
+    void count(benchmark::State& state)
+    {
+        state.counters["pairs"] = static_cast<double>(collision.counts().pairs_tested);
+        state.counters["contacts"] = collision.counts().contacts;
+    }
+};
+
+void refit(benchmark::State& state, float amplitude)
+{
+    Bench bench(state, amplitude);
+    for (auto _ : state) bench.collision.refit(bench.step(), bench.settings);
+}
+
+void query(benchmark::State& state, float amplitude)
+{
+    Bench bench(state, amplitude);
+    bench.collision.refit(bench.step(), bench.settings);
+    for (auto _ : state) benchmark::DoNotOptimize(bench.collision.query(bench.step()).data());
+    bench.count(state);
+}
+
+void respond(benchmark::State& state, float amplitude)
+{
+    Bench bench(state, amplitude);
+    bench.collision.refit(bench.step(), bench.settings);
+    bench.collision.query(bench.step());
+    for (auto _ : state) bench.collision.respond(bench.step());
+    bench.count(state);
+}
+
+void pass_through(benchmark::State& state, float amplitude)
+{
+    Bench bench(state, amplitude);
+    const std::vector<glm::vec4> moved = shaken(bench.pose.positions, bench.settings.range.thickness, 1);
+    CollisionStep step = bench.step();
+    step.positions_t0 = moved;
+    for (auto _ : state) bench.collision.count_pass_through(step);
+    state.counters["unresolved"] = bench.collision.counts().unresolved;
+}
+
+constexpr float kFlat = 0, kCrumpled = 0.1f;
+
+void all_sizes(benchmark::internal::Benchmark* b)
+{
+    b->ArgNames({"side", "threads", "seed_culling"})->Unit(benchmark::kMicrosecond)->UseRealTime();
+    for (const int side : {17, 64, 128}) b->Args({side, 1, 0});
+    b->Args({128, 2, 0})->Args({128, 1, 1});
+}
+
+BENCHMARK_CAPTURE(refit, flat, kFlat)->Apply(all_sizes);
+BENCHMARK_CAPTURE(refit, crumpled, kCrumpled)->Apply(all_sizes);
+BENCHMARK_CAPTURE(query, flat, kFlat)->Apply(all_sizes);
+BENCHMARK_CAPTURE(query, crumpled, kCrumpled)->Apply(all_sizes);
+BENCHMARK_CAPTURE(respond, crumpled, kCrumpled)->Apply(all_sizes);
+BENCHMARK_CAPTURE(pass_through, crumpled, kCrumpled)->Apply(all_sizes);
+
+}  // namespace
+}  // namespace nuno
+
+BENCHMARK_MAIN();
