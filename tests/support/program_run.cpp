@@ -1,9 +1,12 @@
 // Runs nuno as a user would.
 #include "support/program_run.h"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -16,9 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void become_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
-                                 const fs::path& out, const fs::path& err)
+void limit_file_size(long bytes)
 {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes)};
+    setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+[[noreturn]] void become_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                                 const ProgramLimits& limits, const fs::path& out, const fs::path& err)
+{
+    if (limits.file_bytes > 0) limit_file_size(limits.file_bytes);
     for (const std::string& setting : environment) {
         const std::size_t equals = setting.find('=');
         const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
@@ -37,13 +48,18 @@ namespace {
 
 }  // namespace
 
-ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment)
+ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                          const ProgramLimits& limits)
 {
     const TemporaryDirectory directory;
     const fs::path out = directory.path() / "out", err = directory.path() / "err";
     const pid_t child = fork();
-    if (child == 0) become_program(words, environment, out, err);
+    if (child == 0) become_program(words, environment, limits, out, err);
     int status = 0;
+    if (!limits.interrupt_at.empty()) {
+        while (!fs::exists(limits.interrupt_at) && waitpid(child, &status, WNOHANG) == 0) usleep(1000);
+        kill(child, SIGINT);
+    }
     waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
 }

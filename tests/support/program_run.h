@@ -13,8 +13,16 @@ struct ProgramResult
     std::string out, err;
 };
 
+struct ProgramLimits
+{
+    long file_bytes = 0;  // where over 0, a write beyond so many bytes of a file fails, as on a full disk
+    // Where not empty, SIGINT is sent as soon as this path exists.
+    std::filesystem::path interrupt_at;
+};
+
 // Runs `nuno WORDS...` with further NAME=VALUE settings in its environment (an empty VALUE removes NAME).
-ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {});
+ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
+                          const ProgramLimits& limits = {});
 
 // A directory of its own for one test, removed with the object.
 class TemporaryDirectory

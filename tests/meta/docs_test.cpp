@@ -1,0 +1,110 @@
+// What the pages say can be checked: links lead somewhere, tables and lists are those of the program.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "meta/markdown.h"
+#include "meta/tree.h"
+#include "model/sim_params.h"
+#include "scene/end_check.h"
+#include "scene/scene.h"
+#include "support/program_run.h"
+
+namespace nuno::meta {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool names(std::string_view page, std::string_view word)
+{
+    const std::vector<std::string> words = code_words(page);
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+TEST(Docs, every_link_leads_to_a_file)
+{
+    int count = 0;
+    for (const std::string& page : pages())
+        for (const std::string& link : relative_links(read_file(page))) {
+            ++count;
+            const fs::path target = fs::path(root()) / fs::path(page).parent_path() / link.substr(0, link.find('#'));
+            EXPECT_TRUE(fs::exists(target)) << page << " links to " << link;
+        }
+    EXPECT_GT(count, 20);
+}
+
+TEST(Docs, links_are_found_and_code_is_not_taken_for_one)
+{
+    const std::vector<std::string> found =
+        relative_links("[a](b.md) ![c](d/e.png) [w](https://x.y/z) `[n](o)`\n```sh\n[p](q)\n```\n[f](g.md#h)\n");
+    EXPECT_EQ(found, (std::vector<std::string>{"b.md", "d/e.png", "g.md#h"}));
+}
+
+TEST(Docs, every_page_is_in_the_index)
+{
+    const std::vector<std::string> links = relative_links(read_file("docs/README.md"));
+    for (const std::string& page : files_under("docs", {".md", ".json"})) {
+        const std::string name = page.substr(std::string_view("docs/").size());
+        if (name == "README.md") continue;
+        EXPECT_NE(std::find(links.begin(), links.end(), name), links.end()) << name;
+    }
+}
+
+TEST(Docs, the_page_of_parameters_is_what_the_program_prints)
+{
+    const ProgramResult printed = run_program({"params", "--markdown"});
+    ASSERT_EQ(printed.exit_code, 0) << printed.err;
+    EXPECT_TRUE(printed.out == read_file("docs/parameters.md"))
+        << "docs/parameters.md is stale; `nuno params --markdown > docs/parameters.md` writes it anew";
+}
+
+TEST(Docs, the_gallery_shows_every_scene)
+{
+    const std::string gallery = read_file("docs/gallery/README.md");
+    for (const std::string& scene : scene_names()) {
+        EXPECT_TRUE(names(gallery, scene)) << scene;
+        const std::vector<std::string> links = relative_links(gallery);
+        EXPECT_TRUE(
+            std::any_of(links.begin(), links.end(), [&](const std::string& link) { return link.starts_with(scene); }))
+            << "no picture of " << scene;
+    }
+}
+
+TEST(Docs, pictures_are_small)
+{
+    for (const std::string& picture : files_under("docs", {".png", ".svg", ".jpg"}))
+        EXPECT_LT(fs::file_size(fs::path(root()) / picture), 300'000u) << picture;
+}
+
+TEST(Docs, the_page_of_methods_names_every_one)
+{
+    const std::string page = read_file("docs/methods.md");
+    for (const std::string_view method : choice_names(Method{})) EXPECT_TRUE(names(page, method)) << method;
+}
+
+TEST(Docs, the_page_of_scenes_names_every_metric_of_the_end_check)
+{
+    const std::string page = read_file("docs/scenes.md");
+    for (const MetricInfo& metric : metric_table()) EXPECT_TRUE(names(page, metric.name)) << metric.name;
+}
+
+TEST(Docs, the_example_scene_runs)
+{
+    const TemporaryDirectory directory;
+    int count = 0;
+    for (const std::string& block : code_blocks(read_file("docs/scenes.md"), "toml")) {
+        if (block.find("[[sheet]]") == std::string::npos) continue;
+        ++count;
+        const std::string path = directory.write("example.toml", block).string();
+        const ProgramResult run =
+            run_program({"render", path, "--frames", "3", "--no-images", "--backend", "cpu", "--quiet"});
+        EXPECT_EQ(run.exit_code, 0) << block << run.err;
+        EXPECT_EQ(run.err, "");
+    }
+    EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace nuno::meta

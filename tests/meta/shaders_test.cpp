@@ -1,0 +1,94 @@
+// Every shader file is used by the program, and compiles as it uses it.
+#include <map>
+#include <memory>
+
+#include "core/error.h"
+#include "core/thread_pool.h"
+#include "gl/gl_test.h"
+#include "gl/shader_folder.h"
+#include "meta/tree.h"
+#include "model/cloth_model.h"
+#include "render/scene_view.h"
+#include "solver/method_table.h"
+
+namespace nuno::meta {
+namespace {
+
+// One grid, with the springs that a grid has and those that a mesh has.
+ClothModel small_cloth(bool as_mesh)
+{
+    SheetSource sheet;
+    sheet.name = "cloth";
+    sheet.mesh = grid_mesh(4, 4, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
+    if (!as_mesh) sheet.columns = sheet.rows = 4;
+    return build_cloth_model(std::span(&sheet, 1), MassLumping::area);
+}
+
+// Compiles all that the program compiles: the kernels of every method, and what draws a picture.
+void compile_everything(const Colliders& colliders, bool as_mesh)
+{
+    const ClothModel model = small_cloth(as_mesh);
+    ThreadPool pool(1);
+    for (const MethodInfo& method : method_table()) {
+        if (!method.on_gpu) continue;
+        SimParams params;
+        params.method = method.method;
+        params.backend = Backend::gpu;
+        make_solver(model, colliders, params, pool);
+    }
+    SceneView({model.vertex_count(), model.faces, model.uvs, {}});
+}
+
+// The shaders of the source tree by their path under shaders/, the formulas that C++ shares included.
+std::map<std::string, std::string> shader_texts()
+{
+    const std::string_view folder = "shaders/";
+    std::map<std::string, std::string> texts;
+    for (const std::string& file :
+         files_under(folder, {".h", ".glsl", ".comp", ".vert", ".frag", ".geom", ".tesc", ".tese"}))
+        texts[file.substr(folder.size())] = read_file(file);
+    return texts;
+}
+
+std::string error_of_compiling()
+{
+    try {
+        compile_everything({}, false);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+using ShadersTest = GlTest;
+
+TEST_F(ShadersTest, compile_for_grids_and_meshes_with_bodies_and_without)
+{
+    Colliders bodies;
+    bodies.planes.emplace_back();
+    bodies.spheres.resize(2);
+    for (const bool as_mesh : {false, true}) {
+        compile_everything({}, as_mesh);
+        compile_everything(bodies, as_mesh);
+    }
+}
+
+// A file that nobody compiles could be spoiled without a trace: so each is spoiled, and must be complained of by name.
+TEST_F(ShadersTest, that_have_a_main_or_are_for_glsl_alone_are_all_used)
+{
+    const std::map<std::string, std::string> texts = shader_texts();
+    int count = 0;
+    for (const auto& [spoiled, sound_text] : texts) {
+        if (spoiled.ends_with(".h")) continue;
+        ++count;
+        const ShaderFolder folder;
+        for (const auto& [file, text] : texts) folder.write(file, file == spoiled ? text + "\n#error spoiled\n" : text);
+        const std::string error = error_of_compiling();
+        EXPECT_NE(error.find("shaders/" + spoiled), std::string::npos) << spoiled << ": " << error;
+        EXPECT_NE(error.find("spoiled"), std::string::npos) << spoiled << ": " << error;
+    }
+    EXPECT_GT(count, 10);
+}
+
+}  // namespace
+}  // namespace nuno::meta
