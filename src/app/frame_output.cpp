@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cloth_view.h"
+#include "app/video_file.h"
 #include "core/files.h"
 #include "core/stopwatch.h"
 #include "render/frame_writer.h"
@@ -15,11 +16,16 @@ struct FrameOutput::Pictures
     explicit Pictures(const Simulation& simulation) : scene_view(make_scene_view(simulation)) {}
     SceneView scene_view;
     FrameWriter writer;
+    std::optional<VideoFile> video;
 };
 
-FrameOutput::FrameOutput(const OutputPlan& plan, const Simulation& simulation, const ViewParams& view) : plan_(plan), view_(view)
+FrameOutput::FrameOutput(const OutputPlan& plan, const Simulation& simulation, const ViewParams& view)
+    : plan_(plan), view_(view)
 {
-    if (plan_.images) pictures_ = std::make_unique<Pictures>(simulation);
+    if (plan_.draws()) pictures_ = std::make_unique<Pictures>(simulation);
+    if (!plan_.video.empty())
+        pictures_->video.emplace(plan_.video, view_.width, view_.height,
+                                 double(simulation.params().frame_rate) / plan_.every);
     if (!plan_.pc2.empty()) point_cache_.emplace(simulation.model().vertex_count());
 }
 
@@ -41,7 +47,10 @@ void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
     Picture picture;
     pictures_->scene_view.draw_picture(view_, positions, simulation.scene().colliders, picture);
     stage_ms.render += watch.lap_ms();
-    pictures_->writer.push(plan_.directory / fmt::format("frame_{:05}.png", simulation.frame()), std::move(picture));
+    if (pictures_->video) pictures_->video->add(picture);
+    if (plan_.images)
+        pictures_->writer.push(plan_.directory / fmt::format("frame_{:05}.png", simulation.frame()),
+                               std::move(picture));
     stage_ms.encode += watch.lap_ms();
 }
 
@@ -56,6 +65,7 @@ void FrameOutput::write_mesh(Simulation& simulation)
 void FrameOutput::finish()
 {
     if (pictures_) pictures_->writer.finish();
+    if (pictures_ && pictures_->video) pictures_->video->finish();
     if (point_cache_) point_cache_->write(plan_.pc2);
 }
 

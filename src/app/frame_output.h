@@ -1,4 +1,4 @@
-// Where the frames of a headless run go: PNG pictures, mesh files, a point cache.
+// Where the frames of a headless run go: PNG pictures, mesh files, a point cache, a video.
 #pragma once
 
 #include <filesystem>
@@ -22,16 +22,18 @@ enum class MeshFormat
 struct OutputPlan
 {
     std::filesystem::path directory;
-    bool images = true;
+    bool images = true;  // PNG files
     MeshFormat mesh = MeshFormat::none;
-    std::filesystem::path pc2;  // empty: none
-    int every = 1;              // frames from one that is written to the next
+    std::filesystem::path pc2, video;  // empty: none
+    int every = 1;                     // frames from one that is written to the next
+
+    bool draws() const { return images || !video.empty(); }
 };
 
 class FrameOutput
 {
   public:
-    // With images a context must be current. Error where the directory cannot be written or a texture cannot be read.
+    // Where the plan draws, a context must be current. Error where a texture cannot be read or ffmpeg is missing.
     FrameOutput(const OutputPlan& plan, const Simulation& simulation, const ViewParams& view);
     ~FrameOutput();
 

@@ -71,8 +71,8 @@ PanelRequests Panel::draw_scene_panel(ViewerSession& session)
         draw_scene_list(session);
         requests = draw_buttons(session);
         const Simulation& simulation = session.simulation();
-        const std::string state = fmt::format("{:.2f} s, frame {}, {}", simulation.time_s(), simulation.frame(),
-                                              simulation.solver_name());
+        const std::string state =
+            fmt::format("{:.2f} s, frame {}, {}", simulation.time_s(), simulation.frame(), simulation.solver_name());
         ImGui::TextUnformatted(state.c_str());
         ImGui::Spacing();
         ImGui::BeginChild("parameters");
@@ -126,7 +126,8 @@ PanelRequests Panel::draw_buttons(ViewerSession& session)
     ImGui::SameLine();
     if (button(log_, "Restart", "Starts the scene again (R)", width)) session.restart();
     ImGui::SameLine();
-    requests.screenshot = button(log_, "Photo", "Writes the window as a PNG file into the working directory (S)", width);
+    requests.screenshot =
+        button(log_, "Photo", "Writes the window as a PNG file into the working directory (S)", width);
     ImGui::SameLine();
     if (button(log_, "Help", "Keys and mouse (H)", width)) help = !help;
     return requests;

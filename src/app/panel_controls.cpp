@@ -9,8 +9,7 @@ namespace nuno {
 
 void note_control(ViewerLog& log, const std::string& name)
 {
-    if (!log.enabled()) return;
-    if (!ImGui::IsItemVisible()) return log.no_control(name);
+    if (!log.enabled() || !ImGui::IsItemVisible()) return;
     const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     log.control(name, glm::ivec4(std::lround(low.x), std::lround(low.y), std::lround(size.x), std::lround(size.y)));
 }

@@ -29,14 +29,18 @@ void draw_pace(const ViewerSession& session, const ViewerMeters& meters)
     ImGui::PopStyleColor();
 }
 
-std::string ms_text(float ms) { return ms < 10 ? fmt::format("{:.2f}", ms) : ms < 100 ? fmt::format("{:.1f}", ms) : fmt::format("{:.0f}", ms); }
+std::string ms_text(float ms)
+{
+    return ms < 10 ? fmt::format("{:.2f}", ms) : ms < 100 ? fmt::format("{:.1f}", ms) : fmt::format("{:.0f}", ms);
+}
 
 void draw_stage(const StageHistory& stages, std::size_t stage)
 {
     ImGui::TableNextColumn();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetFontSize() * 0.7f, top = corner.y + ImGui::GetFontSize() * 0.2f;
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + side, top + side}, graph_stage_colour(stage), 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + side, top + side}, graph_stage_colour(stage),
+                                              2);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side * 1.5f);
     ImGui::TextUnformatted(std::string(graph_stage_name(stage)).c_str());
     ImGui::TableNextColumn();

@@ -117,16 +117,12 @@ double rounded_by_slider(const ParamInfo& info, double value)
 std::optional<ParamEdit> ParamPanel::draw_group(const ParamRows& rows, std::string_view group, bool open_at_first)
 {
     const std::string title(group);
-    const bool open =
-        ImGui::CollapsingHeader(title.c_str(), open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    const bool open = ImGui::CollapsingHeader(title.c_str(),
+                                              open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     note_control(log_, "group " + title);
     std::optional<ParamEdit> edit;
     for (const ParamInfo& info : rows.table) {
-        if (info.group != group) continue;
-        if (!open) {
-            log_.no_control(info.name);
-            continue;
-        }
+        if (!open || info.group != group) continue;
         if (const std::optional<ParamEdit> row = draw_row(rows, info)) edit = row;
     }
     return edit;
@@ -172,7 +168,8 @@ void ParamPanel::draw_tooltip(const ParamInfo& info, double scene_value, bool on
     ImGui::TextUnformatted(std::string(info.help).c_str());
     const std::string range = fmt::format("{}; this scene: {}", param_range_text(info), param_text(info, scene_value));
     ImGui::TextDisabled("%s", range.c_str());
-    if (info.type == ParamType::real || info.type == ParamType::integer) ImGui::TextDisabled("Ctrl-click to type a value.");
+    if (info.type == ParamType::real || info.type == ParamType::integer)
+        ImGui::TextDisabled("Ctrl-click to type a value.");
     if (on_release) ImGui::TextDisabled("A change starts the cloth again.");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -180,16 +177,13 @@ void ParamPanel::draw_tooltip(const ParamInfo& info, double scene_value, bool on
 
 std::optional<double> ParamPanel::draw_reset(const ParamInfo& info, double value, double scene_value)
 {
-    const std::string control = fmt::format("reset {}", info.name);
-    if (value == scene_value) {
-        log_.no_control(control);
-        return std::nullopt;
-    }
+    if (value == scene_value) return std::nullopt;
     ImGui::SameLine();
     const char* turned_arrow = "\u21BA";
     const bool has_arrow = ImGui::GetFont()->FindGlyphNoFallback(0x21BA) != nullptr;
-    const bool pressed = ImGui::Button(has_arrow ? turned_arrow : "x", {ImGui::GetFrameHeight(), ImGui::GetFrameHeight()});
-    note_control(log_, control);
+    const bool pressed =
+        ImGui::Button(has_arrow ? turned_arrow : "x", {ImGui::GetFrameHeight(), ImGui::GetFrameHeight()});
+    note_control(log_, fmt::format("reset {}", info.name));
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Back to the scene's %s", param_text(info, scene_value).c_str());
     return pressed ? std::optional(scene_value) : std::nullopt;
 }

@@ -44,7 +44,7 @@ class ParamPanel
     void draw_tooltip(const ParamInfo& info, double scene_value, bool on_release);
 
     ViewerLog& log_;
-    std::optional<ParamEdit> held_back_;   // of a row that is being typed, or that acts on release
+    std::optional<ParamEdit> held_back_;  // of a row that is being typed, or that acts on release
     const ParamInfo* hovered_ = nullptr;  // the row under the mouse, and since when
     Stopwatch since_hovered_;
 };

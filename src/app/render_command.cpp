@@ -21,12 +21,14 @@ OutputPlan plan_output(const RenderFlags& flags)
 {
     OutputPlan plan;
     plan.directory = flags.out;
-    plan.images = !flags.no_images;
+    plan.images = !flags.no_images && (flags.video.empty() || !flags.out.empty());
     plan.mesh = flags.mesh == "obj" ? MeshFormat::obj : flags.mesh == "ply" ? MeshFormat::ply : MeshFormat::none;
     plan.pc2 = flags.pc2;
+    plan.video = flags.video;
     plan.every = flags.every;
     const bool needs_directory = plan.images || plan.mesh != MeshFormat::none;
-    if (needs_directory && flags.out.empty()) throw Error("--out: is missing; name the directory that the frames go to");
+    if (needs_directory && flags.out.empty())
+        throw Error("--out: is missing; name the directory that the frames go to");
     if (needs_directory) make_writable_directory(plan.directory);
     return plan;
 }
@@ -77,10 +79,12 @@ void add_render_flags(CLI::App& command, RenderFlags& flags)
 {
     command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file");
     add_common_flags(command, flags.common);
-    command.add_option("--frames", flags.frames, "Number of frames; frame 0 is the start")->check(CLI::Range(1, 100000000));
+    command.add_option("--frames", flags.frames, "Number of frames; frame 0 is the start")
+        ->check(CLI::Range(1, 100000000));
     command.add_option("--out", flags.out, "Directory for frame_00000.png, mesh_00000.obj, ...");
     command.add_option("--mesh", flags.mesh, "Write meshes too")->check(CLI::IsMember({"obj", "ply", "none"}));
     command.add_option("--pc2", flags.pc2, "Write a PC2 point cache of the frames to FILE");
+    command.add_option("--video", flags.video, "Write a video to FILE, such as cloth.mp4; needs ffmpeg");
     command.add_option("--every", flags.every, "Write every K-th frame")->check(CLI::Range(1, 100000000));
     command.add_option("--size", flags.size, "Size of the pictures, WxH");
     command.add_flag("--no-images", flags.no_images, "Write no pictures");
@@ -91,7 +95,7 @@ int run_render(const RenderFlags& flags)
     SceneRun run = prepare_run(flags.common, flags.common.scene);
     apply_size(flags.size, run.view);
     const OutputPlan plan = plan_output(flags);
-    const Machine machine(plan.images || run.params.backend == Backend::gpu);
+    const Machine machine(plan.draws() || run.params.backend == Backend::gpu);
     Simulation simulation(run.scene, run.params);
     if (!flags.common.quiet) {
         machine.remark_on_backend(simulation);
@@ -102,8 +106,9 @@ int run_render(const RenderFlags& flags)
     const RunResult result = run_frames(flags, run, simulation, output);
     if (!flags.common.json.empty()) {
         const auto view = params_json(view_param_table(), &run.view);
-        write_whole(flags.common.json,
-                    make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view).dump(1) + "\n");
+        write_whole(
+            flags.common.json,
+            make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view).dump(1) + "\n");
     }
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
     return static_cast<int>(result.code);

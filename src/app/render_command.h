@@ -14,7 +14,7 @@ struct RenderFlags
     int every = 1;
     std::string out;
     std::string mesh = "none";
-    std::string pc2;
+    std::string pc2, video;
     std::string size;
     bool no_images = false;
 };

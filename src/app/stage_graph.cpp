@@ -67,10 +67,10 @@ float graph_axis_ms(float highest_ms)
 
 unsigned graph_stage_colour(std::size_t stage)
 {
-    static constexpr unsigned kColours[] = {
-        IM_COL32(76, 155, 232, 255), IM_COL32(150, 170, 190, 255), IM_COL32(92, 184, 128, 255),
-        IM_COL32(242, 193, 78, 255), IM_COL32(240, 130, 80, 255),  IM_COL32(155, 138, 232, 255),
-        IM_COL32(230, 95, 145, 255), IM_COL32(105, 120, 135, 255)};
+    static constexpr unsigned kColours[] = {IM_COL32(76, 155, 232, 255), IM_COL32(150, 170, 190, 255),
+                                            IM_COL32(92, 184, 128, 255), IM_COL32(242, 193, 78, 255),
+                                            IM_COL32(240, 130, 80, 255), IM_COL32(155, 138, 232, 255),
+                                            IM_COL32(230, 95, 145, 255), IM_COL32(105, 120, 135, 255)};
     return kColours[stage % std::size(kColours)];
 }
 

@@ -146,7 +146,7 @@ void Viewer::measure()
 void Viewer::show(const WindowInput& input)
 {
     Stopwatch watch;
-    ui_.begin_frame();
+    ui_.begin_frame(input.keys);
     const glm::ivec2 size = window_.size();
     const PointerArea area{glm::vec2(size), ui_.scale(), ui_.wants_pointer()};
     if (std::exchange(help_shown_, panel_.help) != panel_.help)
@@ -175,6 +175,7 @@ void Viewer::draw_panel(const PointerArea& area)
     if (since_notice_.elapsed_ms() > kNoticeMs) panel_.notice.clear();
     const PanelRequests requests = panel_.draw(session_, meters_, area.scale);
     pointer_.draw_mark(area, session_);
+    log_.end_controls();
     ui_.draw();
     glFinish();
     photo_asked_ = photo_asked_ || requests.screenshot;
@@ -203,11 +204,12 @@ void Viewer::note_start()
 void Viewer::handle_keys(const std::vector<KeyEvent>& keys)
 {
     for (const KeyEvent& event : keys) {
-        const bool step = event.key == GLFW_KEY_N || event.key == GLFW_KEY_RIGHT;
+        if (event.modified) continue;
+        const bool step = event.printed == GLFW_KEY_N || event.printed == GLFW_KEY_RIGHT;
         if (step)
             add_stats(session_.step());
         else if (!event.repeated)
-            handle_key(event.key);
+            handle_key(event.printed);
     }
 }
 

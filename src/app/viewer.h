@@ -25,7 +25,7 @@ using SceneLoader = std::function<ViewerScene(const std::string& name_or_path)>;
 struct ViewerOptions
 {
     ViewerScene start;
-    SceneLoader load;            // for the list of scenes and for files dropped on the window
+    SceneLoader load;                // for the list of scenes and for files dropped on the window
     int width = 1280, height = 720;  // of the window, on a screen of content scale 1
     bool vsync = true;
     bool paused = false;         // starts at rest

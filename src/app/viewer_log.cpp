@@ -2,6 +2,7 @@
 #include "app/viewer_log.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace nuno {
 
@@ -14,19 +15,30 @@ void ViewerLog::write(const std::string& text) const
 void ViewerLog::control(std::string_view name, const glm::ivec4& place)
 {
     if (!enabled_) return;
-    const auto found = controls_.find(name);
-    if (found != controls_.end() && found->second == place) return;
-    controls_.insert_or_assign(std::string(name), place);
-    write(fmt::format("control {} at {} {} size {} {}", name, place.x, place.y, place.z, place.w));
+    const auto [found, is_new] = controls_.try_emplace(std::string(name), Control{place, true, true, false});
+    Control& control = found->second;
+    control.drawn = true;
+    control.moved = is_new || control.place != place;
+    if (control.moved) control.told = false;
+    control.place = place;
 }
 
-void ViewerLog::no_control(std::string_view name)
+void ViewerLog::end_controls()
 {
-    if (!enabled_) return;
-    const auto found = controls_.find(name);
-    if (found == controls_.end()) return;
-    controls_.erase(found);
-    write(fmt::format("control {} hidden", name));
+    for (auto entry = controls_.begin(); entry != controls_.end();) {
+        auto& [name, control] = *entry;
+        if (!control.drawn) {
+            if (control.told) write(fmt::format("control {} hidden", name));
+            entry = controls_.erase(entry);
+            continue;
+        }
+        // A window that fits its contents moves for a frame or two.
+        if (!control.moved && !std::exchange(control.told, true))
+            write(fmt::format("control {} at {} {} size {} {}", name, control.place.x, control.place.y, control.place.z,
+                              control.place.w));
+        control.drawn = false;
+        ++entry;
+    }
 }
 
 }  // namespace nuno

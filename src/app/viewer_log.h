@@ -27,17 +27,22 @@ class ViewerLog
         if (enabled_) write(fmt::format(format, std::forward<Args>(args)...));
     }
 
-    // Notes the rectangle (left, top, width, height in window coordinates) of a control; tells it where it changed.
+    // Notes the rectangle (left, top, width, height in window coordinates) that a control has in the frame being drawn.
     void control(std::string_view name, const glm::ivec4& place);
-    // The control is not on the screen.
-    void no_control(std::string_view name);
+    // The frame is drawn: tells the controls that came to rest at a new place, and those that were not drawn again.
+    void end_controls();
 
   private:
+    struct Control
+    {
+        glm::ivec4 place;
+        bool drawn, moved, told;
+    };
     void write(const std::string& text) const;
 
     bool enabled_;
     int frame_ = 0;
-    std::map<std::string, glm::ivec4, std::less<>> controls_;
+    std::map<std::string, Control, std::less<>> controls_;
 };
 
 }  // namespace nuno

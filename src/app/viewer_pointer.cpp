@@ -99,9 +99,9 @@ void ViewerPointer::release(const PointerEvent& event, ViewerSession& session)
 
 void ViewerPointer::log_camera(const ViewParams& view)
 {
-    log_.action("camera azimuth {:.2f} elevation {:.2f} distance {:.4f} target {:.4f} {:.4f} {:.4f}", view.camera_azimuth,
-                view.camera_elevation, view.camera_distance, view.camera_target_x, view.camera_target_y,
-                view.camera_target_z);
+    log_.action("camera azimuth {:.2f} elevation {:.2f} distance {:.4f} target {:.4f} {:.4f} {:.4f}",
+                view.camera_azimuth, view.camera_elevation, view.camera_distance, view.camera_target_x,
+                view.camera_target_y, view.camera_target_z);
 }
 
 void ViewerPointer::draw_mark(const PointerArea& area, ViewerSession& session) const

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/error.h"
 
@@ -116,7 +117,19 @@ void ViewerUi::apply_scale(float content_scale, float pixels_per_unit)
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }
 
-void ViewerUi::begin_frame()
+// ImGui asks which keys are down once a frame, so a key pressed and released between two frames has to be held for one.
+void ViewerUi::press_keys(std::span<const KeyEvent> keys)
+{
+    bool* down = ImGui::GetIO().KeysDown;
+    for (const int place : std::exchange(short_presses_, {})) down[place] = false;
+    for (const KeyEvent& key : keys) {
+        if (down[key.place]) continue;
+        down[key.place] = true;
+        short_presses_.push_back(key.place);
+    }
+}
+
+void ViewerUi::begin_frame(std::span<const KeyEvent> keys)
 {
     const glm::ivec2 pixels = window_.framebuffer_size(), size = window_.size();
     // The two sizes may change one after the other; the ratio itself is a round number.
@@ -125,6 +138,7 @@ void ViewerUi::begin_frame()
     apply_scale(window_.content_scale(), pixels_per_unit);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    press_keys(keys);
     ImGui::NewFrame();
 }
 

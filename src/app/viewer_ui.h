@@ -1,6 +1,9 @@
 // Dear ImGui in the viewer's window: set up, styled, and sized to the screen's content scale.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "app/window.h"
 
 namespace nuno {
@@ -14,8 +17,8 @@ class ViewerUi
     ViewerUi(const ViewerUi&) = delete;
     ViewerUi& operator=(const ViewerUi&) = delete;
 
-    // Starts a frame of the panel: from here on the wants_ functions answer for this frame.
-    void begin_frame();
+    // Starts a frame of the panel with the keys that went down since the last: from here on the wants_ functions answer for it.
+    void begin_frame(std::span<const KeyEvent> keys);
     // Draws what was described since into the window's framebuffer.
     void draw();
 
@@ -25,9 +28,11 @@ class ViewerUi
     bool wants_keys() const;
 
   private:
+    void press_keys(std::span<const KeyEvent> keys);
     void apply_scale(float content_scale, float pixels_per_unit);
 
     Window& window_;
+    std::vector<int> short_presses_;  // keys that were up again before the frame in which they count as down
     float content_scale_ = 0, pixels_per_unit_ = 0, scale_ = 1;
 };
 

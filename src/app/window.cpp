@@ -48,13 +48,6 @@ std::string describe_any_context()
     return found;
 }
 
-WindowInput& input_of(GLFWwindow* window)
-{
-    auto& input = *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
-    input.any = true;
-    return input;
-}
-
 // GLFW names keys by their place on a US keyboard; a letter is meant as it is printed.
 int key_as_printed(int key, int scancode)
 {
@@ -63,12 +56,7 @@ int key_as_printed(int key, int scancode)
     return letter ? std::toupper(static_cast<unsigned char>(name[0])) : key;
 }
 
-glm::vec2 pointer_place(GLFWwindow* window)
-{
-    double x = 0, y = 0;
-    glfwGetCursorPos(window, &x, &y);
-    return {x, y};
-}
+Window& window_of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
 }  // namespace
 
@@ -105,7 +93,10 @@ void Window::open(const WindowSettings& settings)
     load_gl(reinterpret_cast<GLADloadfunc>(glfwGetProcAddress));
     glfwSwapInterval(settings.vsync ? 1 : 0);
     fit_to_monitor();
-    watch_input();
+    glfwSetWindowUserPointer(handle_, this);
+    watch_pointer();
+    watch_keys_and_files();
+    watch_changes();
 }
 
 // A window that scaling made larger than the screen could not be used to its edges.
@@ -121,34 +112,56 @@ void Window::fit_to_monitor()
     glfwSetWindowPos(handle_, left, top);
 }
 
-void Window::watch_input()
+// An event has the place of the last move before it; the pointer itself may be somewhere else by now.
+void Window::watch_pointer()
 {
-    glfwSetWindowUserPointer(handle_, &input_);
-    glfwSetKeyCallback(handle_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
-        WindowInput& input = input_of(window);
-        if (action == GLFW_RELEASE || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER))) return;
-        input.keys.push_back({key_as_printed(key, scancode), action == GLFW_REPEAT});
+    double x = 0, y = 0;
+    glfwGetCursorPos(handle_, &x, &y);
+    pointer_place_ = {x, y};
+    glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double new_x, double new_y) {
+        Window& window = window_of(handle);
+        window.pointer_place_ = {new_x, new_y};
+        window.input_.pointer.push_back({PointerEvent::Kind::move, -1, window.pointer_place_, 0});
+        window.input_.any = true;
     });
-    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* window, int button, int action, int) {
+    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int) {
+        Window& window = window_of(handle);
         const auto kind = action == GLFW_PRESS ? PointerEvent::Kind::press : PointerEvent::Kind::release;
-        input_of(window).pointer.push_back({kind, button, pointer_place(window), 0});
+        window.input_.pointer.push_back({kind, button, window.pointer_place_, 0});
+        window.input_.any = true;
     });
-    glfwSetCursorPosCallback(handle_, [](GLFWwindow* window, double x, double y) {
-        input_of(window).pointer.push_back({PointerEvent::Kind::move, -1, {x, y}, 0});
+    glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double steps) {
+        Window& window = window_of(handle);
+        window.input_.pointer.push_back(
+            {PointerEvent::Kind::scroll, -1, window.pointer_place_, static_cast<float>(steps)});
+        window.input_.any = true;
     });
-    glfwSetScrollCallback(handle_, [](GLFWwindow* window, double, double steps) {
-        input_of(window).pointer.push_back(
-            {PointerEvent::Kind::scroll, -1, pointer_place(window), static_cast<float>(steps)});
+}
+
+void Window::watch_keys_and_files()
+{
+    glfwSetKeyCallback(handle_, [](GLFWwindow* handle, int key, int scancode, int action, int mods) {
+        WindowInput& input = window_of(handle).input_;
+        input.any = true;
+        if (action == GLFW_RELEASE || key < 0) return;
+        const bool modified = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0;
+        input.keys.push_back({key, key_as_printed(key, scancode), action == GLFW_REPEAT, modified});
     });
-    glfwSetDropCallback(handle_, [](GLFWwindow* window, int count, const char** paths) {
-        WindowInput& input = input_of(window);
+    glfwSetDropCallback(handle_, [](GLFWwindow* handle, int count, const char** paths) {
+        WindowInput& input = window_of(handle).input_;
+        input.any = true;
         input.dropped_files.insert(input.dropped_files.end(), paths, paths + count);
     });
-    glfwSetCharCallback(handle_, [](GLFWwindow* window, unsigned) { input_of(window); });
-    glfwSetWindowFocusCallback(handle_, [](GLFWwindow* window, int) { input_of(window); });
-    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* window, int, int) { input_of(window); });
-    glfwSetWindowContentScaleCallback(handle_, [](GLFWwindow* window, float, float) { input_of(window); });
-    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* window) { input_of(window); });
+}
+
+void Window::watch_changes()
+{
+    glfwSetCharCallback(handle_, [](GLFWwindow* handle, unsigned) { window_of(handle).input_.any = true; });
+    glfwSetWindowFocusCallback(handle_, [](GLFWwindow* handle, int) { window_of(handle).input_.any = true; });
+    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* handle, int, int) { window_of(handle).input_.any = true; });
+    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* handle) { window_of(handle).input_.any = true; });
+    glfwSetWindowContentScaleCallback(handle_,
+                                      [](GLFWwindow* handle, float, float) { window_of(handle).input_.any = true; });
 }
 
 void Window::make_current() { glfwMakeContextCurrent(handle_); }

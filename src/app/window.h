@@ -31,13 +31,15 @@ struct PointerEvent
 // A key that went down, or that its keyboard repeats.
 struct KeyEvent
 {
-    int key;  // GLFW's name; a letter as the keyboard's layout has it
+    int place;    // GLFW's name of the key
+    int printed;  // the same, but of a letter as the keyboard's layout has it
     bool repeated;
+    bool modified;  // Ctrl, Alt or Super was down
 };
 
 struct WindowInput
 {
-    std::vector<KeyEvent> keys;  // those without Ctrl, Alt and Super
+    std::vector<KeyEvent> keys;
     std::vector<PointerEvent> pointer;
     std::vector<std::string> dropped_files;
     bool any = false;  // anything happened at all, redraw requests of the window system included
@@ -79,10 +81,13 @@ class Window final : public Context
   private:
     void open(const WindowSettings& settings);
     void fit_to_monitor();
-    void watch_input();
+    void watch_pointer();
+    void watch_keys_and_files();
+    void watch_changes();
 
     GLFWwindow* handle_ = nullptr;
     WindowInput input_;
+    glm::vec2 pointer_place_{0};
 };
 
 }  // namespace nuno

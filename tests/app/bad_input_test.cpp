@@ -27,8 +27,10 @@ std::string refusal(std::vector<std::string> words, const std::vector<std::strin
 std::string render_refusal(const std::string& scene_text, const std::vector<std::string>& more = {})
 {
     const TemporaryDirectory directory;
-    std::vector<std::string> words{"render", directory.write("bad.toml", scene_text).string(), "--frames", "2", "--out",
-                                   (directory.path() / "out").string(), "--backend", "cpu"};
+    std::vector<std::string> words{"render",    directory.write("bad.toml", scene_text).string(),
+                                   "--frames",  "2",
+                                   "--out",     (directory.path() / "out").string(),
+                                   "--backend", "cpu"};
     words.insert(words.end(), more.begin(), more.end());
     return refusal(words);
 }
@@ -38,7 +40,8 @@ const std::string kSheet = "[[sheet]]\ncolumns = 5\n";
 TEST(BadInput, names_and_values_of_parameters)
 {
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "dampin=1"}), HasSubstr("nearest is damping"));
-    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping=-1"}), HasSubstr("from 0 to 1000 kg/(m2 s)"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping=-1"}),
+                HasSubstr("from 0 to 1000 kg/(m2 s)"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping=nan"}), HasSubstr("--set"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping"}), HasSubstr("NAME=VALUE"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "xpbd"}), HasSubstr("symplectic_euler"));
@@ -57,14 +60,17 @@ TEST(BadInput, scenes_and_places)
     EXPECT_THAT(refusal({"render", "seed", "--out", in_the_way}), HasSubstr(in_the_way));
     EXPECT_THAT(refusal({"render", "seed", "--out", in_the_way + "/deeper"}), HasSubstr(in_the_way));
     EXPECT_EQ(read_text(in_the_way), "text");
-    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--backend", "cpu", "--frames", "2", "--json", in_the_way + "/r.json"}),
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--backend", "cpu", "--frames", "2", "--json",
+                         in_the_way + "/r.json"}),
                 HasSubstr("r.json"));
 }
 
 TEST(BadInput, scene_files)
 {
-    EXPECT_THAT(render_refusal("[params]\nwind_strenght = 1\n" + kSheet), AllOf(HasSubstr("bad.toml:2"), HasSubstr("wind_strength")));
-    EXPECT_THAT(render_refusal("[view]\nlok = \"phong\"\n" + kSheet), AllOf(HasSubstr("bad.toml:2"), HasSubstr("nearest is look")));
+    EXPECT_THAT(render_refusal("[params]\nwind_strenght = 1\n" + kSheet),
+                AllOf(HasSubstr("bad.toml:2"), HasSubstr("wind_strength")));
+    EXPECT_THAT(render_refusal("[view]\nlok = \"phong\"\n" + kSheet),
+                AllOf(HasSubstr("bad.toml:2"), HasSubstr("nearest is look")));
     EXPECT_THAT(render_refusal("[view]\ncamera_distance = inf\n" + kSheet), HasSubstr("bad.toml:2"));
 }
 
@@ -113,8 +119,11 @@ TEST(BadInput, no_display_for_the_window_says_what_to_do)
 
 TEST(BadInput, words_that_no_command_knows)
 {
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"rendr"}, {}, {"render", "seed", "--frame", "3"}, {"render", "seed", "--frames", "0"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"rendr"},
+                                                  {},
+                                                  {"render", "seed", "--frame", "3"},
+                                                  {"render", "seed", "--frames", "0"}})
+    {
         const ProgramResult result = run_program(words);
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_FALSE(result.err.empty());

@@ -33,19 +33,22 @@ bool is_whole_picture(const fs::path& path, int width, int height)
 TEST(RenderCommand, writes_one_whole_picture_a_frame_and_nothing_else)
 {
     const TemporaryDirectory directory;
-    const ProgramResult result = run_program({"render", "seed", "--frames", "4", "--size", "160x90", "--out", directory.path()});
+    const ProgramResult result =
+        run_program({"render", "seed", "--frames", "4", "--size", "160x90", "--out", directory.path()});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(names_in(directory.path()),
               (std::set<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png"}));
-    for (const std::string& name : names_in(directory.path())) EXPECT_TRUE(is_whole_picture(directory.path() / name, 160, 90));
+    for (const std::string& name : names_in(directory.path()))
+        EXPECT_TRUE(is_whole_picture(directory.path() / name, 160, 90));
 }
 
 TEST(RenderCommand, the_first_mesh_is_the_start_and_every_k_th_is_written)
 {
     const TemporaryDirectory directory;
-    const ProgramResult result = run_program({"render", "seed", "--backend", "cpu", "--no-images", "--frames", "7", "--every", "3",
-                                              "--mesh", "ply", "--pc2", directory.path() / "seed.pc2", "--out", directory.path()});
+    const ProgramResult result =
+        run_program({"render", "seed", "--backend", "cpu", "--no-images", "--frames", "7", "--every", "3", "--mesh",
+                     "ply", "--pc2", directory.path() / "seed.pc2", "--out", directory.path()});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(names_in(directory.path()),
               (std::set<std::string>{"mesh_00000.ply", "mesh_00003.ply", "mesh_00006.ply", "seed.pc2"}));
@@ -56,8 +59,10 @@ TEST(RenderCommand, the_first_mesh_is_the_start_and_every_k_th_is_written)
 TEST(RenderCommand, the_hash_is_the_last_line_and_the_same_for_every_backend_and_thread_count)
 {
     std::set<std::string> lines;
-    for (const std::vector<std::string>& more :
-         {std::vector<std::string>{"--backend", "cpu", "--threads", "1"}, {"--backend", "cpu", "--threads", "2"}, {"--backend", "gpu"}}) {
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--backend", "cpu", "--threads", "1"},
+                                                 {"--backend", "cpu", "--threads", "2"},
+                                                 {"--backend", "gpu"}})
+    {
         std::vector<std::string> words{"render", "seed", "--frames", "30", "--no-images", "--hash", "--quiet"};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramResult result = run_program(words);
@@ -73,8 +78,8 @@ TEST(RenderCommand, the_hash_is_the_last_line_and_the_same_for_every_backend_and
 TEST(RenderCommand, the_report_has_a_row_a_frame_and_the_parameters_as_used)
 {
     const TemporaryDirectory directory;
-    const ProgramResult result = run_program({"render", "seed", "--backend", "cpu", "--frames", "12", "--no-images", "--set",
-                                              "wind_strength=5", "--json", directory.path() / "r.json"});
+    const ProgramResult result = run_program({"render", "seed", "--backend", "cpu", "--frames", "12", "--no-images",
+                                              "--set", "wind_strength=5", "--json", directory.path() / "r.json"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const auto report = nlohmann::json::parse(read_text(directory.path() / "r.json"));
     EXPECT_EQ(report["frames"].size(), 12u);
@@ -89,7 +94,8 @@ TEST(RenderCommand, the_report_has_a_row_a_frame_and_the_parameters_as_used)
 TEST(RenderCommand, a_scene_that_fails_its_end_check_exits_with_1)
 {
     const TemporaryDirectory directory;
-    const auto scene = directory.write("t.toml", "[[sheet]]\ncolumns = 5\n[check]\nframes = 3\nfinal_highest = [5, 6]\n");
+    const auto scene =
+        directory.write("t.toml", "[[sheet]]\ncolumns = 5\n[check]\nframes = 3\nfinal_highest = [5, 6]\n");
     const std::vector<std::string> words{"render", scene, "--backend", "cpu", "--no-images", "--frames", "5"};
     const ProgramResult result = run_program(words);
     EXPECT_EQ(result.exit_code, 1);
@@ -104,27 +110,30 @@ TEST(RenderCommand, a_run_that_goes_bad_exits_with_3_and_advice)
     const ProgramResult result =
         run_program({"render", "hang", "--backend", "cpu", "--no-images", "--frames", "60", "--set", "substeps=40"});
     EXPECT_EQ(result.exit_code, 3);
-    EXPECT_THAT(result.err, testing::AllOf(HasSubstr("hang"), HasSubstr("frame"), HasSubstr("vertex"), HasSubstr("--set substeps=")));
+    EXPECT_THAT(result.err, testing::AllOf(HasSubstr("hang"), HasSubstr("frame"), HasSubstr("vertex"),
+                                           HasSubstr("--set substeps=")));
 }
 
 TEST(RenderCommand, a_disk_that_fills_ends_it_with_a_message_and_whole_files)
 {
     const TemporaryDirectory directory;
-    const ProgramResult result = run_program({"render", "seed", "--backend", "cpu", "--frames", "20", "--size", "640x360", "--out",
-                                              directory.path(), "--quiet"},
-                                             {"MESA_SHADER_CACHE_DISABLE=true"}, {.file_bytes = 20000, .interrupt_at = {}});
+    const ProgramResult result =
+        run_program({"render", "seed", "--backend", "cpu", "--frames", "20", "--size", "640x360", "--out",
+                     directory.path(), "--quiet"},
+                    {"MESA_SHADER_CACHE_DISABLE=true"}, {.file_bytes = 20000, .interrupt_at = {}});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, HasSubstr("frame_000"));
-    for (const std::string& name : names_in(directory.path())) EXPECT_TRUE(is_whole_picture(directory.path() / name, 640, 360)) << name;
+    for (const std::string& name : names_in(directory.path()))
+        EXPECT_TRUE(is_whole_picture(directory.path() / name, 640, 360)) << name;
 }
 
 TEST(RenderCommand, interrupted_it_exits_with_130_and_whole_files)
 {
     const TemporaryDirectory directory;
     const fs::path report = directory.path() / "report.json", frames = directory.path() / "frames";
-    const ProgramResult result =
-        run_program({"render", "seed", "--backend", "cpu", "--frames", "100000", "--size", "320x180", "--out", frames, "--json", report},
-                    {}, {.file_bytes = 0, .interrupt_at = frames / "frame_00003.png"});
+    const ProgramResult result = run_program({"render", "seed", "--backend", "cpu", "--frames", "100000", "--size",
+                                              "320x180", "--out", frames, "--json", report},
+                                             {}, {.file_bytes = 0, .interrupt_at = frames / "frame_00003.png"});
     EXPECT_EQ(result.exit_code, 130) << result.err;
     const auto names = names_in(frames);
     EXPECT_GE(names.size(), 4u);
@@ -133,9 +142,32 @@ TEST(RenderCommand, interrupted_it_exits_with_130_and_whole_files)
     EXPECT_EQ(nlohmann::json::parse(read_text(report))["frames"].size(), names.size());
 }
 
+TEST(RenderCommand, a_video_is_whole_or_not_there)
+{
+    const TemporaryDirectory directory;
+    const fs::path video = directory.path() / "seed.mp4";
+    const std::vector<std::string> words{"render", "seed",   "--backend", "cpu", "--frames", "5",
+                                         "--size", "161x90", "--video",   video, "--quiet"};
+    const ProgramResult without = run_program(words, {"PATH=/nonexistent"});
+    EXPECT_EQ(without.exit_code, 2);
+    EXPECT_THAT(without.err, HasSubstr("ffmpeg"));
+    // An encoder that dies at once.
+    const fs::path broken = directory.write("ffmpeg", "#!/bin/sh\nexit 1\n");
+    fs::permissions(broken, fs::perms::owner_all);
+    const ProgramResult died = run_program(words, {"PATH=" + directory.path().string()});
+    EXPECT_EQ(died.exit_code, 2);
+    EXPECT_THAT(died.err, HasSubstr("seed.mp4"));
+    EXPECT_EQ(names_in(directory.path()), std::set<std::string>{"ffmpeg"});
+    if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "no ffmpeg";
+    EXPECT_EQ(run_program(words).exit_code, 0);
+    EXPECT_EQ(names_in(directory.path()), (std::set<std::string>{"ffmpeg", "seed.mp4"}));
+    EXPECT_THAT(read_text(video).substr(0, 12), HasSubstr("ftyp"));
+}
+
 TEST(RenderCommand, on_a_software_renderer_it_says_once_that_the_cpu_is_faster)
 {
-    const ProgramResult result = run_program({"render", "seed", "--frames", "2", "--no-images"}, {"LIBGL_ALWAYS_SOFTWARE=1"});
+    const ProgramResult result =
+        run_program({"render", "seed", "--frames", "2", "--no-images"}, {"LIBGL_ALWAYS_SOFTWARE=1"});
     EXPECT_EQ(result.exit_code, 0);
     const std::size_t at = result.err.find("--backend cpu");
     EXPECT_NE(at, std::string::npos) << result.err;

@@ -35,7 +35,8 @@ ControlPlace ViewerDriver::control(const std::string& name)
 {
     const std::string place = " (at (-?[0-9]+) (-?[0-9]+) size ([0-9]+) ([0-9]+)|hidden)$";
     std::vector<std::string> found = program_->latest("control " + name + place);
-    if (found.empty() || found[1] == "hidden") found = program_->wait_for("control " + name + " (at) (-?[0-9]+)", kPatienceS);
+    if (found.empty() || found[1] == "hidden")
+        found = program_->wait_for("control " + name + " (at) (-?[0-9]+)", kPatienceS);
     found = program_->latest("control " + name + place);
     return {std::stoi(found[2]), std::stoi(found[3]), std::stoi(found[4]), std::stoi(found[5])};
 }

@@ -42,7 +42,8 @@ std::size_t colour_count(const Picture& picture)
 {
     std::set<std::uint32_t> colours;
     for (std::size_t i = 0; i + 2 < picture.rgba.size(); i += 4)
-        colours.insert(picture.rgba[i] | std::uint32_t(picture.rgba[i + 1]) << 8 | std::uint32_t(picture.rgba[i + 2]) << 16);
+        colours.insert(picture.rgba[i] | std::uint32_t(picture.rgba[i + 1]) << 8 |
+                       std::uint32_t(picture.rgba[i + 2]) << 16);
     return colours.size();
 }
 
@@ -62,7 +63,8 @@ TEST_F(ViewerTest, a_dragged_slider_changes_its_parameter_while_the_cloth_goes_o
     viewer.move(slider.x(0.7), slider.y());
     const auto second = viewer.wait_for("wind_strength = ([0-9.]+)$");
     viewer.release();
-    EXPECT_NEAR(std::stod(second.groups[1]), log_slider_value(slider, slider.x(0.7)), 0.1 * std::stod(second.groups[1]));
+    EXPECT_NEAR(std::stod(second.groups[1]), log_slider_value(slider, slider.x(0.7)),
+                0.1 * std::stod(second.groups[1]));
     // The keys wait until the slider has let go of them.
     viewer.key("space");
     const int paused_at = viewer.wait_for("paused").frame;
@@ -121,11 +123,13 @@ TEST_F(ViewerTest, the_mouse_beside_the_cloth_moves_the_camera)
     ViewerDriver viewer({"seed", "--paused"});
     viewer.drag(kFloorX, kFloorY, kFloorX - 100, kFloorY + 40);
     // Half a turn over the 720 pixels of the height.
-    const auto turned = viewer.wait_for("camera azimuth (\\S+) elevation (\\S+) distance (\\S+) target (\\S+) (\\S+) (\\S+)");
+    const auto turned =
+        viewer.wait_for("camera azimuth (\\S+) elevation (\\S+) distance (\\S+) target (\\S+) (\\S+) (\\S+)");
     EXPECT_NEAR(std::stod(turned.groups[1]), 30 + 25, 0.3);
     EXPECT_NEAR(std::stod(turned.groups[2]), 8 + 10, 0.3);
     viewer.drag(kFloorX, kFloorY, kFloorX, kFloorY - 100, 3);
-    const auto moved = viewer.wait_for("camera azimuth (\\S+) elevation (\\S+) distance (\\S+) target (\\S+) (\\S+) (\\S+)");
+    const auto moved =
+        viewer.wait_for("camera azimuth (\\S+) elevation (\\S+) distance (\\S+) target (\\S+) (\\S+) (\\S+)");
     EXPECT_EQ(moved.groups[1], turned.groups[1]);
     EXPECT_LT(std::stod(moved.groups[5]), std::stod(turned.groups[5]) - 0.1);
     EXPECT_EQ(viewer.quit(), 0);

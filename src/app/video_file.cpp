@@ -1,0 +1,122 @@
+// A video of the frames, encoded by ffmpeg.
+#include "app/video_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <vector>
+
+#include "core/error.h"
+
+extern char** environ;
+
+namespace nuno {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Starts `words` with `input` as its standard input; -1 where the program is not there.
+pid_t start(const std::vector<std::string>& words, int input)
+{
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    pid_t child = -1;
+    const int failed = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return failed ? -1 : child;
+}
+
+}  // namespace
+
+VideoFile::VideoFile(fs::path path, int width, int height, double frames_per_second) : path_(std::move(path))
+{
+    // The ending stays last, for ffmpeg knows the format by it.
+    temporary_ =
+        path_.parent_path() / fmt::format("{}.part{}{}", path_.stem().string(), getpid(), path_.extension().string());
+    std::signal(SIGPIPE, SIG_IGN);  // an encoder that ends early is an error of write
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw Error(fmt::format("--video {}: no pipe to ffmpeg could be made", path_.string()));
+    encoder_ = start({"ffmpeg",
+                      "-nostdin",
+                      "-loglevel",
+                      "error",
+                      "-y",
+                      "-f",
+                      "rawvideo",
+                      "-pix_fmt",
+                      "rgba",
+                      "-s",
+                      fmt::format("{}x{}", width, height),
+                      "-r",
+                      fmt::format("{}", frames_per_second),
+                      "-i",
+                      "pipe:0",
+                      "-vf",
+                      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                      "-pix_fmt",
+                      "yuv420p",
+                      temporary_.string()},
+                     ends[0]);
+    ::close(ends[0]);
+    pipe_ = ends[1];
+    if (encoder_ >= 0) return;
+    ::close(pipe_);
+    throw Error(fmt::format(
+        "--video {}: needs ffmpeg, which is not installed; install the package ffmpeg, or leave --video out",
+        path_.string()));
+}
+
+VideoFile::~VideoFile()
+{
+    if (encoder_ >= 0) close_and_wait();
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);
+}
+
+void VideoFile::add(const Picture& picture)
+{
+    for (std::size_t done = 0; done < picture.rgba.size();) {
+        const ssize_t written = ::write(pipe_, picture.rgba.data() + done, picture.rgba.size() - done);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) throw_failed();
+        done += static_cast<std::size_t>(written);
+    }
+}
+
+void VideoFile::finish()
+{
+    std::error_code status;
+    if (close_and_wait() != 0) throw_failed();
+    fs::rename(temporary_, path_, status);
+    if (status) throw_failed();
+}
+
+int VideoFile::close_and_wait()
+{
+    ::close(pipe_);
+    int status = -1;
+    while (waitpid(encoder_, &status, 0) < 0 && errno == EINTR) {
+    }
+    encoder_ = -1;
+    return status;
+}
+
+void VideoFile::throw_failed()
+{
+    throw Error(fmt::format(
+        "--video {}: ffmpeg could not write it; give a place with room, and an ending that it knows, such as "
+        ".mp4 or .webm",
+        path_.string()));
+}
+
+}  // namespace nuno
