@@ -16,11 +16,11 @@ SHARED_FN Vec3 area_vector(Vec3 e1, Vec3 e2)
 // The seed's system for the point x3 and the corners x0, x1, x2, with x_ij = x_j - x_i:
 //     x20.x23 = w0 x20.x20 + w1 x20.x21
 //     x21.x23 = w0 x21.x20 + w1 x21.x21,     w0 + w1 + w2 = 1
-// by Cramer's rule, its determinants as products of area vectors, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), which round less
-// where the face is thin. The distance is |x3 - x4| to the foot x4 itself, equal to the seed's |n.x23| but for rounding: so a
-// point at distance d is within d of the weighted corners even where a thin face leaves n and the weights inexact.
-// A face without area (|sin| of the angle at x2 below 1e-6, or |c| below 1e-15 m2) gets weights and a distance that no test of
-// nearness accepts. So does one whose c.c a float does not hold.
+// by Cramer's rule, its determinants as products of area vectors, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), which
+// round less where the face is thin. The distance is |x3 - x4| to the foot x4 itself, equal to the seed's |n.x23| but
+// for rounding: so a point at distance d is within d of the weighted corners even where a thin face leaves n and the
+// weights inexact. A face without area (|sin| of the angle at x2 below 1e-6, or |c| below 1e-15 m2) gets weights and a
+// distance that no test of nearness accepts; so does one whose c.c a float does not hold.
 SHARED_FN FaceFoot face_foot(Vec3 x3, Vec3 x0, Vec3 x1, Vec3 x2)
 {
     PRECISE Vec3 x20 = x0 - x2;

@@ -49,8 +49,9 @@ Box corner_box(const glm::uvec3& face, std::span<const glm::vec4> positions)
 
 }  // namespace
 
-// Splits a range of faces into four again and again. Every child but the last of a node holds `capacity` faces, a power of 4, so
-// that nearly every node has its four children; the same capacity at the same depth puts all blocks at one depth.
+// Splits a range of faces into four again and again. Every child but the last of a node holds `capacity` faces, a power
+// of 4, so that nearly every node has its four children; the same capacity at the same depth puts all blocks at one
+// depth.
 struct BoxTree::Builder
 {
     BoxTree& tree;

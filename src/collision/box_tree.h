@@ -1,4 +1,4 @@
-// The tree of boxes around the faces of a cloth (seed paper, section 2.5.1.1 and fig 2.2): four children a node, one face a leaf.
+// The tree of boxes around the faces of a cloth (seed paper, 2.5.1.1, fig 2.2): four children a node, one face a leaf.
 #pragma once
 
 #include <array>
@@ -40,8 +40,9 @@ struct TreeQuery
 class BoxTree
 {
   public:
-    // A node; the boxes of its four children lie side by side, so that one comparison meets all four. Children are nodes, or
-    // all of them faces: then it is a block. All blocks lie at the same depth, so only nodes of one depth ever meet.
+    // A node; the boxes of its four children lie side by side, so that one comparison meets all four. Children are
+    // nodes, or all of them faces: then it is a block. All blocks lie at the same depth, so only nodes of one depth
+    // ever meet.
     struct alignas(64) Node
     {
         std::array<Float4, 3> lo, hi;            // along x, y, z; an absent child has an empty box
@@ -60,8 +61,8 @@ class BoxTree
     const Node& node(std::uint32_t index) const { return nodes_[index]; }
     bool is_block(std::uint32_t index) const { return nodes_[index].end == index + 1; }
 
-    // The vertices that the blocks of a node own. Every vertex that is a corner of a face is owned by one block, the first with
-    // a face that has it as a corner: so what is done for the vertices of all blocks is done once for each vertex.
+    // The vertices that the blocks of a node own. Every vertex is owned by one block, the first with a face that it is
+    // a corner of, so that what is done for all blocks is done once for each vertex.
     std::span<const std::uint32_t> vertices(std::uint32_t index) const
     {
         return {vertices_.data() + nodes_[index].first_vertex, vertices_.data() + nodes_[index].end_vertex};
@@ -75,8 +76,9 @@ class BoxTree
     // Finds the nodes that Culling::seed skips at `positions`: needed before a query with it, after every refit.
     void bound_normals(std::span<const glm::vec4> positions, ThreadPool& pool);
 
-    // The self-query finds all pairs of blocks whose boxes overlap, each with itself too, once, in an order that depends on the
-    // boxes alone; less what Culling::seed loses. It begins with `open` holding root() and ends when nothing is open.
+    // The self-query finds all pairs of blocks whose boxes overlap, each with itself too, once, in an order that
+    // depends on the boxes alone; less what Culling::seed loses. It begins with `open` holding root() and ends when
+    // nothing is open.
     NodePair root() const { return {0, 0}; }
     void query(TreeQuery& state, Culling culling) const;
     // Visits one pair.
@@ -96,8 +98,8 @@ class BoxTree
     std::vector<glm::uvec3> faces_;
     std::vector<std::uint32_t> vertices_;
     std::vector<Node> nodes_;
-    std::vector<Box> boxes_;               // of every node
-    std::vector<std::uint32_t> subtrees_;  // roots of the subtrees that one thread refits; none where the tree is small
+    std::vector<Box> boxes_;                // of every node
+    std::vector<std::uint32_t> subtrees_;   // roots of the subtrees refitted by one thread each; none in a small tree
     std::vector<std::uint32_t> top_nodes_;  // the nodes above them, in preorder
     std::vector<Box> normal_bounds_;        // of every node: the box of its faces' unit normals
     std::vector<std::uint8_t> culled_;      // of every node: Culling::seed does not look for contacts within it

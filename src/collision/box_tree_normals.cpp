@@ -21,8 +21,8 @@ Box unit_normal(const glm::uvec3& face, std::span<const glm::vec4> positions)
     return {normal, normal};
 }
 
-// Whether all normals n of the bound are less than 90 degrees from one axis d, the centre of the bound: the least n.d over a
-// box is reached at a corner. Then no two of them are 180 degrees apart, which is the seed's condition.
+// Whether all normals n of the bound are less than 90 degrees from one axis d, the centre of the bound: the least n.d
+// over a box is reached at a corner. Then no two of them are 180 degrees apart, which is the seed's condition.
 bool within_half_space(const Box& bound)
 {
     const Float4 axis = bound.lo + bound.hi;

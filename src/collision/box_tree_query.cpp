@@ -1,5 +1,6 @@
 // The self-query of the tree of boxes.
 #include <bit>
+#include <cassert>
 
 #include "collision/box_tree.h"
 
@@ -7,6 +8,7 @@ namespace nuno {
 
 void BoxTree::visit(NodePair pair, TreeQuery& state, Culling culling) const
 {
+    assert(culling != Culling::seed || culled_.size() == nodes_.size());
     ++state.visits;
     const Node& a = nodes_[pair.a];
     const Node& b = nodes_[pair.b];

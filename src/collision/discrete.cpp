@@ -1,17 +1,19 @@
 // Search for contacts in the tree of boxes.
 //
-// No contact is lost (Culling::none). Let vertex v be in contact with face F, foot x4 = w0 x0 + w1 x1 + w2 x2.
-// 1. Along each axis, x4 is within delta e of F's corners, e being their extent: a sum of weights 1 with every weight in
-//    -delta .. 1 + delta is largest where one weight is 1 + delta, one -delta, one 0. And |v - x4| <= epsilon (face_foot
-//    measures the distance to x4 itself). So v is within delta e + epsilon of the box of F's corners.
-// 2. The boxes of the tree are grown by delta (own extent) + epsilon / 2, and v stands for a box of half side epsilon / 2. So
-//    the box of v overlaps that of F, and lies inside that of any face with the corner v.
-// 3. v is owned by a block A, which has a face with the corner v; F is in a block B. A node's box holds those of all its faces,
-//    so the boxes of A and B overlap, or A is B, and so it is for every pair of nodes above them: the query finds (A, B).
-// 4. For (A, B), v is tested against every face of B whose box overlaps that of v, so against F, whether or not other faces of
-//    the two blocks share a vertex.
-// Rounding moves x4 by less than 1e-6 of the extents, for which the margin has 1e-5, and the boxes by less than what BoxTree
-// adds to them.
+// No contact is lost (Culling::none). Let vertex v be in contact with face F, with foot x4 = w0 x0 + w1 x1 + w2 x2.
+// 1. Along each axis, x4 is within delta e of F's corners, e being their extent: a sum with every weight in
+//    -delta .. 1 + delta and all together 1 is largest where one weight is 1 + delta, one -delta, one 0. And
+//    |v - x4| <= epsilon, since face_foot measures the distance to x4 itself. So v is within delta e + epsilon of the
+//    box of F's corners.
+// 2. The boxes of the tree are grown by delta (own extent) + epsilon / 2, and v stands for a box of half side
+//    epsilon / 2. So the box of v overlaps that of F, and lies inside that of any face with the corner v.
+// 3. v is owned by a block A, which has a face with the corner v; F is in a block B. A node's box holds those of all
+//    its faces, so the boxes of A and B overlap, or A is B; and so it is with the nodes above them. The query finds
+//    (A, B).
+// 4. For (A, B), v is tested against every face of B whose box overlaps that of v: so against F, whether or not other
+//    faces of the two blocks share a vertex.
+// Rounding moves x4 by less than 1e-6 of the extents, for which the margin has 1e-5, and the boxes by less than what
+// BoxTree adds to them.
 #include "collision/discrete.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ namespace {
 
 constexpr float kRounding = 1e-5f;
 
-// The contacts among `pairs`. One comparison takes the three weights and the distance together, without a branch on each.
+// The contacts among `pairs`. One comparison takes the three weights and the distance, without a branch on each.
 void append_contacts(std::span<const glm::uvec3> faces, std::span<const glm::vec4> positions, const ContactRange& range,
                      std::span<const VertexFace> pairs, std::vector<Contact>& contacts)
 {

@@ -1,4 +1,4 @@
-// Level `discrete`: the contacts of vertices with faces where the cloth is now (seed paper, section 2.5.1.2), by the tree.
+// Level `discrete`: the contacts of vertices with faces where the cloth is now (seed paper, section 2.5.1.2).
 #pragma once
 
 #include <span>
@@ -20,9 +20,9 @@ BoxMargin contact_margin(const ContactRange& range);
 class ContactSearch
 {
   public:
-    // All contacts at `positions` (xyz [m]), in order of vertex and face; they last until the next search. `tree` has been
-    // refitted to the same positions with contact_margin(range). A corner of a face is never in contact with it. Nothing is
-    // dropped: storage grows.
+    // All contacts at `positions` (xyz [m]), in order of vertex and face; they last until the next search. `tree` has
+    // been refitted to the same positions with contact_margin(range). A corner of a face is never in contact with it.
+    // Nothing is dropped: storage grows.
     std::span<const Contact> find(const BoxTree& tree, std::span<const glm::vec4> positions, const ContactRange& range,
                                   Culling culling, ThreadPool& pool);
 

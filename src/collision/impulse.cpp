@@ -7,15 +7,15 @@
 
 namespace nuno {
 
-// The seed, for four particles of mass m, with v4 = w0 v0 + w1 v1 + w2 v2 the velocity of the foot and an impulse I along n
-// on the face, -I on the vertex:
-//     inelastic:  I  = m (v3 - v4).n / (1 + w0^2 + w1^2 + w2^2)                                so that (v3' - v4').n = 0
-//     push-out:   I' = I - m (epsilon - d) / dt / (1 + w0^2 + w1^2 + w2^2)                     (v3' - v4').n = (epsilon - d) / dt
+// The seed, for four particles of mass m, with v4 = w0 v0 + w1 v1 + w2 v2 the velocity of the foot and an impulse I
+// along n on the face, -I on the vertex:
+//     inelastic, (v3' - v4').n = 0:                   I  = m (v3 - v4).n / (1 + w0^2 + w1^2 + w2^2)
+//     push-out, (v3' - v4').n = (epsilon - d) / dt:   I' = I - m (epsilon - d) / (dt (1 + w0^2 + w1^2 + w2^2))
 // With masses of their own, k_i = 1 / m_i, the corners change by -w_i k_i J n and the vertex by k_3 J n, where J = -I':
 //     (v3' - v4').n = (v3 - v4).n + J (k_3 + w0^2 k_0 + w1^2 k_1 + w2^2 k_2)
 //     J = ((epsilon - d) / dt - (v3 - v4).n) / (k_3 + w0^2 k_0 + w1^2 k_1 + w2^2 k_2)
-// which is -I' for equal masses. As written, the seed's impulse also pulls back what parts faster than (epsilon - d) / dt, which
-// glues the cloth to itself; here an impulse only pushes.
+// which is -I' for equal masses. As written, the seed's impulse also pulls back what parts faster than
+// (epsilon - d) / dt, and so glues the cloth to itself; here an impulse only pushes.
 float contact_impulse(const Contact& contact, const ContactParticles& particles, float thickness, float duration)
 {
     const auto& v = particles.velocities;

@@ -9,8 +9,8 @@ constexpr std::size_t kTaskCount = 64;
 
 }  // namespace
 
-// A small mesh is one task. For a large one the query goes down level by level until there are enough pairs of nodes, each a
-// task; task 0 keeps what was counted on the way.
+// A small mesh is one task. For a large one the query goes down level by level until there are enough pairs of nodes,
+// each a task; task 0 keeps what was counted on the way.
 int PairQuery::begin(const BoxTree& tree, Culling culling)
 {
     tree_ = &tree;

@@ -14,21 +14,20 @@ namespace nuno {
 struct PairCounts
 {
     std::uint64_t pairs_tested = 0;  // of a vertex and a face: their boxes overlap
-    std::uint64_t pairs_culled =
-        0;                     // inside the nodes that were skipped for their normals, a vertex's own faces included
-    std::uint64_t visits = 0;  // of pairs of nodes
+    std::uint64_t pairs_culled = 0;  // inside the nodes skipped for their normals, a vertex's own faces included
+    std::uint64_t visits = 0;        // of pairs of nodes
 };
 
 // Keeps its storage from one query to the next.
 class PairQuery
 {
   public:
-    // Begins a query of `tree`, which must stay as it is until the last task is done; returns the number of tasks. What the
-    // tasks are depends on the boxes alone, so the pairs of all of them, in order of tasks, do not depend on threads.
+    // Begins a query of `tree`, which must stay as it is until the last task is done; returns the number of tasks. What
+    // the tasks are depends on the boxes alone: so the pairs of all, in order of tasks, do not depend on threads.
     int begin(const BoxTree& tree, Culling culling);
 
-    // The pairs of one task, with box_of(vertex) the box of a vertex, in a fixed order, each once. A vertex is not paired with
-    // a face that it is a corner of. They last until `begin`. Different tasks may run on different threads.
+    // The pairs of one task, with box_of(vertex) the box of a vertex, in a fixed order, each once. A vertex is not
+    // paired with a face that it is a corner of. They last until `begin`. Different tasks may run on different threads.
     template <class BoxOfVertex>
     std::span<const VertexFace> run(int task, const BoxOfVertex& box_of);
 
@@ -73,8 +72,8 @@ std::span<const VertexFace> PairQuery::run(int task, const BoxOfVertex& box_of)
     return std::span(tasks_[task].pairs).first(tasks_[task].pair_count);
 }
 
-// The vertices of block `from` against the faces of block `to`. Every vertex is written and only the hits are kept: a branch
-// on them would be foreseen wrongly half the time.
+// The vertices of block `from` against the faces of block `to`. Every vertex is written and only the hits are kept: a
+// branch on them would be foreseen wrongly half the time.
 template <class BoxOfVertex>
 void PairQuery::find_hits(std::uint32_t from, std::uint32_t to, const BoxOfVertex& box_of, Task& task) const
 {

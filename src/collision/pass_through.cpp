@@ -14,7 +14,7 @@
 namespace nuno {
 namespace {
 
-// Corners on an edge have weight 0 but for rounding.
+// A point on an edge has one weight 0, but for rounding.
 constexpr double kEdgeRounding = 1e-9;
 
 // Six times the volume of the tetrahedron face + point: positive where the point is on the side of the face's normal.
@@ -38,8 +38,8 @@ Cubic volume_over_time(const Path& point, const Path& a, const Path& b, const Pa
     return {glm::dot(q, n0), glm::dot(q, n1) + glm::dot(dq, n0), glm::dot(q, n2) + glm::dot(dq, n1), glm::dot(dq, n2)};
 }
 
-// The times 0 = t0 <= .. <= 1 between which the cubic only rises or only falls: the roots of c1 + 2 c2 t + 3 c3 t^2, in the
-// form that does not cancel. A root that is not finite fails both comparisons.
+// The times 0 = t0 <= .. <= 1 between which the cubic only rises or only falls: the roots of c1 + 2 c2 t + 3 c3 t^2, in
+// the form that does not cancel. A root that is not finite fails both comparisons.
 struct Knots
 {
     std::array<double, 4> times{0, 1, 1, 1};

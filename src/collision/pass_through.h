@@ -26,13 +26,13 @@ inline Path path_of(std::uint32_t vertex, std::span<const glm::vec4> positions_t
     return {glm::dvec3(positions_t0[vertex]), glm::dvec3(positions_t1[vertex])};
 }
 
-// Whether the point changes the side of the moving face a, b, c through its inside, edges included, an odd number of times.
-// A point exactly on the plane of the face counts as on the side of its normal, so touching is no crossing, and two steps in a
-// row agree on the pose between them. Without motion, or with a face without area, the answer is no.
+// Whether the point changes the side of the moving face a, b, c through its inside, edges included, an odd number of
+// times. A point exactly on the plane of the face counts as on the side of its normal, so touching is no crossing, and
+// two steps in a row agree on the pose between them. Without motion, or with a face without area, the answer is no.
 bool passes_through(const Path& point, const Path& a, const Path& b, const Path& c);
 
-// All of them from positions_t0 to positions_t1 (xyz [m]), in order of vertex and face. A vertex that goes exactly through an
-// edge counts for both its faces. Refits `tree` for itself.
+// All of them from positions_t0 to positions_t1 (xyz [m]), in order of vertex and face. A vertex that goes exactly
+// through an edge counts for both its faces. Refits `tree` for itself.
 std::vector<VertexFace> find_pass_through(BoxTree& tree, std::span<const glm::vec4> positions_t0,
                                           std::span<const glm::vec4> positions_t1, ThreadPool& pool);
 

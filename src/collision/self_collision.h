@@ -41,16 +41,15 @@ struct CollisionCounts
     std::uint64_t pairs_culled = 0;  // inside the nodes that the culling skipped, a vertex's own faces included
     std::uint32_t contacts = 0;
     std::uint32_t impacts = 0, zones = 0, rollbacks = 0;  // of the continuous levels
-    std::uint32_t unresolved =
-        0;  // vertex-face pairs that passed through each other, where count_pass_through was asked
+    std::uint32_t unresolved = 0;  // pairs that passed through each other, if count_pass_through was called
 };
 
-// A pass is refit, query, respond, in this order; each does nothing where the level is `none`. Results do not depend on the
-// number of threads.
+// A pass is refit, query, respond, in this order; each does nothing where the level is `none`. Results do not depend on
+// the number of threads.
 class SelfCollision
 {
   public:
-    // Rest positions [m] and faces of all sheets together; every vertex is a corner of a face. `pool` must outlive this.
+    // Rest positions [m] and faces of all sheets together; every vertex is a corner of a face.
     SelfCollision(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces, ThreadPool& pool);
 
     // Starts a pass with these settings: boxes around the cloth.
@@ -60,7 +59,8 @@ class SelfCollision
     // Corrects the velocities.
     void respond(const CollisionStep& step);
 
-    // Counts what passed through from t0 to t1 into `unresolved`. Works at every level, after `query`, for it takes the boxes.
+    // Counts what passed through from t0 to t1 into `unresolved`, at every level. Call it after `query`: it takes the
+    // boxes for itself.
     void count_pass_through(const CollisionStep& step);
 
     // Of the pass so far.

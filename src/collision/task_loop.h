@@ -7,8 +7,8 @@
 
 namespace nuno {
 
-// Calls body(task) once for every task = 0 .. task_count - 1, on whichever thread is free; a single task runs on the caller.
-// The result does not depend on the number of threads where a task writes only what is its own.
+// Calls body(task) once for every task = 0 .. task_count - 1, on whichever thread is free; a single task runs on the
+// caller. The result does not depend on the number of threads where a task writes only what is its own.
 void run_tasks(ThreadPool& pool, int task_count, const std::function<void(int task)>& body);
 
 }  // namespace nuno

@@ -1,7 +1,6 @@
 // A vertex and a face, the unit of both tests of this folder.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 
 namespace nuno {
@@ -9,7 +8,11 @@ namespace nuno {
 struct VertexFace
 {
     std::uint32_t vertex, face;
-    auto operator<=>(const VertexFace&) const = default;
+    bool operator==(const VertexFace&) const = default;
+    bool operator<(const VertexFace& other) const
+    {
+        return vertex != other.vertex ? vertex < other.vertex : face < other.face;
+    }
 };
 
 }  // namespace nuno

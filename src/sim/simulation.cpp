@@ -77,6 +77,7 @@ void Simulation::set_params(const SimParams& params)
             if (state_.positions[v].w > 0) state_.positions[v].w = inverse_mass(*model_, v, params.areal_density);
         solver_->upload(state_);
     }
+    if (params.count_pass_through && !params_.count_pass_through) pass_positions_ = state().positions;
     params_ = params;
 }
 

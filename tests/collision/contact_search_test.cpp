@@ -26,7 +26,8 @@ Found search(const Pose& pose, const ContactRange& range, int threads = 1)
     return {{contacts.begin(), contacts.end()}, search.counts()};
 }
 
-// Thin and thick against the spacing of the vertices, with and without a tolerance at the edges. Returns the contacts there were.
+// Thin and thick against the spacing of the vertices, with and without a tolerance at the edges. Returns the contacts
+// there were.
 std::size_t expect_as_brute_force(const Pose& pose, float spacing)
 {
     std::size_t count = 0;
@@ -151,7 +152,8 @@ TEST(ContactSearch, a_flat_sheet_at_rest_thinner_than_its_spacing_has_no_contact
     EXPECT_TRUE(search(pose, {0.9f / 32, 0.05f}).contacts.empty());
 }
 
-// Neighbours are looked at too: the sheet is so sharply folded that a vertex meets a face which shares an edge with its own.
+// Neighbours are looked at too: the sheet is so sharply folded that a vertex meets a face which shares an edge with its
+// own.
 TEST(ContactSearch, finds_a_vertex_folded_onto_the_face_across_its_edge)
 {
     Pose pose;

@@ -1,4 +1,4 @@
-// What the seed's culling by normals loses, against brute force: nothing on a fold, everything where all normals are alike.
+// What the seed's culling loses, against brute force: nothing on a fold, everything where all normals are alike.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -61,8 +61,8 @@ TEST(PassThrough, point_and_face_that_move_together)
     EXPECT_FALSE(passes_through(moving({0.2, 0.2, 0}), moving(kA), moving(kB), moving(kC)));
 }
 
-// The face z = s x tilts, s = T, and the point is at x = 0.3 + 0.2 T, height h, T = 2 t - 1: its height over the face is
-// h - 0.3 T - 0.2 T^2 (times the area), with roots T = (-0.3 +- sqrt(0.09 + 0.8 h)) / 0.4.
+// The face z = s x tilts, s = T, and the point is at x = 0.3 + 0.2 T, height h, T = 2 t - 1: its height over the face
+// is h - 0.3 T - 0.2 T^2 (times the area), with roots T = (-0.3 +- sqrt(0.09 + 0.8 h)) / 0.4.
 bool tilting(double h)
 {
     const Path point{{0.1, 0.25, h}, {0.5, 0.25, h}};

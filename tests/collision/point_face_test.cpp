@@ -99,7 +99,8 @@ TEST(PointFace, huge_and_tiny_faces_give_no_nan)
     }
 }
 
-// A point at `distance` from the foot is so far from the weighted corners, however thin the face: the tree relies on it.
+// A point at `distance` from the foot is so far from the weighted corners, however thin the face: the tree relies on
+// it.
 TEST(PointFace, distance_is_measured_to_the_weighted_corners_even_of_a_needle)
 {
     for (const float width : {1e-1f, 1e-3f, 1e-5f}) {
