@@ -29,7 +29,8 @@ ClothModel make_model(int side, Layout layout)
         std::vector<std::uint32_t> place(source.mesh.positions.size());
         for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
         std::mt19937 random(1);
-        for (auto window = place.begin(); place.end() - window >= 64; window += 64) std::shuffle(window, window + 64, random);
+        for (auto window = place.begin(); place.end() - window >= 64; window += 64)
+            std::shuffle(window, window + 64, random);
         const TriangleMesh ordered = source.mesh;
         for (std::size_t i = 0; i < place.size(); ++i) source.mesh.positions[place[i]] = ordered.positions[i];
         for (glm::uvec3& face : source.mesh.faces) face = {place[face.x], place[face.y], place[face.z]};
@@ -62,13 +63,17 @@ void run(benchmark::State& state, Backend backend, Layout layout)
     if (backend == Backend::gpu) state.SetLabel(gl_info().renderer + (gl_info().software ? " (a CPU's time)" : ""));
 }
 
-#define NUNO_BENCH_CPU(layout) \
-    BENCHMARK_CAPTURE(run, cpu_##layout, Backend::cpu, Layout::layout)->ArgsProduct({{17, 64, 128, 256}, {1, 2}})->UseRealTime()
+#define NUNO_BENCH_CPU(layout)                                         \
+    BENCHMARK_CAPTURE(run, cpu_##layout, Backend::cpu, Layout::layout) \
+        ->ArgsProduct({{17, 64, 128, 256}, {1, 2}})                    \
+        ->UseRealTime()
 NUNO_BENCH_CPU(grid);
 NUNO_BENCH_CPU(mesh);
 NUNO_BENCH_CPU(shuffled_mesh);
-#define NUNO_BENCH_GPU(layout) \
-    BENCHMARK_CAPTURE(run, gpu_##layout, Backend::gpu, Layout::layout)->ArgsProduct({{17, 64, 128, 256}, {1}})->UseRealTime()
+#define NUNO_BENCH_GPU(layout)                                         \
+    BENCHMARK_CAPTURE(run, gpu_##layout, Backend::gpu, Layout::layout) \
+        ->ArgsProduct({{17, 64, 128, 256}, {1}})                       \
+        ->UseRealTime()
 NUNO_BENCH_GPU(grid);
 NUNO_BENCH_GPU(mesh);
 

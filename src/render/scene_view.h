@@ -35,7 +35,7 @@ class SceneView
     GLuint upload_positions(std::span<const glm::vec4> positions) { return cloth_.upload_positions(positions); }
 
     // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels leave it.
-    // Leaves no vertex array, framebuffer or depth test of its own behind in a way that a later draw would notice.
+    // Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
     void draw(const ViewParams& params, GLuint positions, const Colliders& colliders, const Viewport& viewport);
 
     // Draws params.width x height pixels off screen and waits for them.

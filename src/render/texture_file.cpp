@@ -18,6 +18,8 @@ namespace {
 
 constexpr const char* kWanted = "give a 24-bit BMP, a PNG, a JPEG or a TGA file";
 
+constexpr std::size_t kHeaderBytes = 54;  // of a BMP
+
 struct BmpHeader
 {
     std::uint32_t pixel_offset;
@@ -37,7 +39,6 @@ T value_at(const std::string& bytes, std::size_t offset)
 // Error where an uncompressed BMP has no pixels, or fewer bytes than its header promises.
 void check_bmp(const std::string& bytes, const std::string& name)
 {
-    constexpr std::size_t kHeaderBytes = 54;
     if (bytes.size() < kHeaderBytes)
         throw Error(fmt::format("{}: is cut short: {} bytes, less than the {} of a BMP header; {}", name, bytes.size(),
                                 kHeaderBytes, kWanted));

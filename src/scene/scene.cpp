@@ -57,7 +57,8 @@ SheetSpec read_sheet(TomlTable table, const fs::path& scene_path)
     sheet.pleat_angle = static_cast<float>(table.number("pleat_angle", 60));
     read_pins(table, sheet);
     table.finish();
-    if (!(sheet.pleat_angle >= 0 && sheet.pleat_angle < 90)) table.fail("pleat_angle", "0 or more and less than 90 degrees");
+    if (!(sheet.pleat_angle >= 0 && sheet.pleat_angle < 90))
+        table.fail("pleat_angle", "0 or more and less than 90 degrees");
     if (sheet.mesh.empty() == (sheet.columns == 0) || (sheet.pleats > 0 && sheet.columns == 0))
         throw Error(fmt::format("{}: a sheet needs either columns (and rows) of a grid or a mesh file", sheet.where));
     const auto side_fits = [](int count) { return count >= 2 && count <= 2048; };

@@ -21,10 +21,10 @@ struct SheetSpec
     std::string name, where;                               // where: file and line, for messages
     int columns = 0, rows = 0;                             // vertices of a grid
     glm::vec3 origin{0}, across{1, 0, 0}, down{0, -1, 0};  // corner and sides of a grid [m]
-    int pleats = 0;           // strips that the start is folded into, accordion-wise; 0: it starts flat
-    float pleat_angle = 60;   // tilt of a strip [degrees]
-    std::filesystem::path mesh;                            // an OBJ file, where it is no grid
-    std::vector<std::string> pin_places;                   // top_left, top, left, top@0.25, ... of a grid
+    int pleats = 0;                       // strips that the start is folded into, accordion-wise; 0: it starts flat
+    float pleat_angle = 60;               // tilt of a strip [degrees]
+    std::filesystem::path mesh;           // an OBJ file, where it is no grid
+    std::vector<std::string> pin_places;  // top_left, top, left, top@0.25, ... of a grid
     std::vector<std::uint32_t> pin_vertices;
     std::filesystem::path texture;  // empty: none
 };

@@ -48,7 +48,8 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
     const std::string_view name = text.substr(0, mark);
     const double part = mark == text.npos ? 0 : parse_number(text.substr(mark + 1)).value_or(-1);
     if (!(part >= 0 && part <= 1))
-        throw Error(fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1", sheet.where, text));
+        throw Error(
+            fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1", sheet.where, text));
     std::vector<std::string_view> names;
     for (Place p : places) {
         names.push_back(p.name);
@@ -60,8 +61,9 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
                 pins.push_back(static_cast<std::uint32_t>(j * size.columns + i));
         return;
     }
-    throw Error(fmt::format("{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge",
-                            sheet.where, name, nearest_name(name, names), join_choices(names)));
+    throw Error(fmt::format(
+        "{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge",
+        sheet.where, name, nearest_name(name, names), join_choices(names)));
 }
 
 // Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle against the flat

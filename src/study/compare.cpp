@@ -53,7 +53,8 @@ void time_frames(const Scene& scene, const SimParams& params, ComparePoint& poin
     std::vector<FrameStats> cpu_frames, gpu_frames;
     Stopwatch watch;
     while (point.timed_frames < kMostTimedFrames &&
-           (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < kTimeForFramesMs)) {
+           (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < kTimeForFramesMs))
+    {
         cpu_frames.push_back(cpu.advance_frame());
         gpu_frames.push_back(gpu.advance_frame());
         ++point.timed_frames;
@@ -117,7 +118,8 @@ bool has_grid(const Scene& scene)
 
 }  // namespace
 
-std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs, const CompareProgress& progress)
+std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
+                                           const CompareProgress& progress)
 {
     struct Job
     {

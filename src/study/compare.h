@@ -17,9 +17,9 @@ inline constexpr std::array<int, 4> kComparedSubsteps{1, 10, 100, 1000};
 
 struct BackendCost
 {
-    StageTimes stage_ms;                      // medians over the timed frames
-    double frame_ms = 0;                      // median of solver and collision together
-    double ns_per_particle_and_substep = 0;   // of the solver
+    StageTimes stage_ms;                     // medians over the timed frames
+    double frame_ms = 0;                     // median of solver and collision together
+    double ns_per_particle_and_substep = 0;  // of the solver
 };
 
 // One scene at one size.
@@ -28,12 +28,13 @@ struct ComparePoint
     std::string scene;
     int size = 0;  // vertices along the longer side; 0: the mesh of the scene
     std::uint32_t particles = 0;
-    int substeps = 0;      // a frame; more than the scene's where its own would be unstable at this size
+    int substeps = 0;  // a frame; more than the scene's where its own would be unstable at this size
     int timed_frames = 0;
     BackendCost cpu, gpu;
-    std::array<double, 4> largest_difference_m{};  // of a position, after kComparedSubsteps without contact; -1: not finite
-    bool substep_hashes_agree = false;             // after all of them
-    bool frame_hashes_agree = false;               // after the timed frames, with contact
+    std::array<double, 4>
+        largest_difference_m{};         // of a position, after kComparedSubsteps without contact; -1: not finite
+    bool substep_hashes_agree = false;  // after all of them
+    bool frame_hashes_agree = false;    // after the timed frames, with contact
     double ratio() const { return gpu.frame_ms / cpu.frame_ms; }
 };
 

@@ -27,7 +27,8 @@ std::string data_text(const std::vector<ComparePoint>& points, std::vector<std::
             if (!scenes.empty()) text += "\n\n";
             scenes.push_back(p.scene);
         }
-        text += fmt::format("{} {} {}\n", p.particles, p.cpu.ns_per_particle_and_substep, p.gpu.ns_per_particle_and_substep);
+        text += fmt::format("{} {} {}\n", p.particles, p.cpu.ns_per_particle_and_substep,
+                            p.gpu.ns_per_particle_and_substep);
     }
     return text;
 }
@@ -36,14 +37,16 @@ std::string script_text(const std::vector<std::string>& scenes, bool software_gl
 {
     std::string plot = "plot ";
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        plot += fmt::format("{0}'compare.dat' index {1} using 1:2 with linespoints lc {2} pt 7 dt 1 title '{3}, CPU', \\\n"
-                            "     'compare.dat' index {1} using 1:3 with linespoints lc {2} pt 4 dt 2 title '{3}, GPU'",
-                            i ? ", \\\n     " : "", i, i + 1, scenes[i]);
-    return fmt::format("set logscale xy\nset grid\nset key outside right\nset xlabel 'particles'\n"
-                       "set ylabel 'ns a particle and substep'\nset title 'nuno: CPU threads against compute shaders{0}'\n"
-                       "set terminal svg size 1000,600 background 'white'\nset output 'compare.svg'\n{1}\n"
-                       "set terminal pngcairo size 1000,600\nset output 'compare.png'\nreplot\n",
-                       software_gl ? " (software OpenGL: times of a CPU)" : "", plot);
+        plot += fmt::format(
+            "{0}'compare.dat' index {1} using 1:2 with linespoints lc {2} pt 7 dt 1 title '{3}, CPU', \\\n"
+            "     'compare.dat' index {1} using 1:3 with linespoints lc {2} pt 4 dt 2 title '{3}, GPU'",
+            i ? ", \\\n     " : "", i, i + 1, scenes[i]);
+    return fmt::format(
+        "set logscale xy\nset grid\nset key outside right\nset xlabel 'particles'\n"
+        "set ylabel 'ns a particle and substep'\nset title 'nuno: CPU threads against compute shaders{0}'\n"
+        "set terminal svg size 1000,600 background 'white'\nset output 'compare.svg'\n{1}\n"
+        "set terminal pngcairo size 1000,600\nset output 'compare.png'\nreplot\n",
+        software_gl ? " (software OpenGL: times of a CPU)" : "", plot);
 }
 
 bool run_gnuplot(const fs::path& directory)

@@ -26,11 +26,12 @@ Json cost_json(const BackendCost& cost)
 
 std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl)
 {
-    std::string table = fmt::format(
-        "{:9} {:>5} {:>8} | {:^31} | {:^31} | {:>7} | {:^35} | {}\n", "", "", "substeps", "CPU, ms a frame",
-        software_gl ? "GPU (software: a CPU's), ms" : "GPU, ms a frame", "GPU/CPU", "largest difference after, m", "hashes");
+    std::string table = fmt::format("{:9} {:>5} {:>8} | {:^31} | {:^31} | {:>7} | {:^35} | {}\n", "", "", "substeps",
+                                    "CPU, ms a frame", software_gl ? "GPU (software: a CPU's), ms" : "GPU, ms a frame",
+                                    "GPU/CPU", "largest difference after, m", "hashes");
     const char* stages = "frame   solve   move collide";
-    table += fmt::format("{:9} {:>5} {:>8} | {:>31} | {:>31} | {:>7} |", "scene", "size", "a frame", stages, stages, "frame");
+    table += fmt::format("{:9} {:>5} {:>8} | {:>31} | {:>31} | {:>7} |", "scene", "size", "a frame", stages, stages,
+                         "frame");
     for (const int substeps : kComparedSubsteps) table += fmt::format(" {:>8}", substeps);
     table += " | agree\n";
     for (const ComparePoint& p : points) {

@@ -18,7 +18,8 @@ TEST(Text, a_number_must_be_the_whole_text)
 {
     EXPECT_EQ(parse_number("2.5e-3"), 2.5e-3);
     EXPECT_EQ(parse_number("-7"), -7.0);
-    for (const char* text : {"", "1x", "0x10 ", "1,5", "--1", " 1"}) EXPECT_EQ(parse_number(text), std::nullopt) << text;
+    for (const char* text : {"", "1x", "0x10 ", "1,5", "--1", " 1"})
+        EXPECT_EQ(parse_number(text), std::nullopt) << text;
 }
 
 TEST(Text, choices_are_joined_as_a_sentence)

@@ -14,7 +14,8 @@ TEST(ThreadPool, every_thread_runs_the_body_once_a_round)
         ThreadPool pool(count);
         ASSERT_EQ(pool.thread_count(), count);
         std::vector<int> runs(static_cast<std::size_t>(count));
-        for (int round = 0; round < 200; ++round) pool.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
+        for (int round = 0; round < 200; ++round)
+            pool.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
         for (const int r : runs) EXPECT_EQ(r, 200);
     }
 }

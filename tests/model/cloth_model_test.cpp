@@ -35,7 +35,8 @@ TEST(ClothModel, the_vertices_carry_the_whole_area_either_way)
     const ClothModel by_area = square_cloth(9, 2, {}, MassLumping::area);
     const float cell = 0.25f * 0.25f;
     EXPECT_NEAR(by_area.areas[4 * 9 + 4], cell, 1e-6f) << "an inner vertex carries one cell";
-    EXPECT_NEAR(by_area.areas[0] + by_area.areas[8], cell / 2, 1e-6f) << "corners carry a third of their one or two faces";
+    EXPECT_NEAR(by_area.areas[0] + by_area.areas[8], cell / 2, 1e-6f)
+        << "corners carry a third of their one or two faces";
 }
 
 TEST(ClothModel, several_sheets_keep_apart)
@@ -78,7 +79,8 @@ TEST(ClothState, the_seed_shifts_free_vertices_by_no_more_than_the_jitter)
     SimParams params;
     params.jitter = 0.001f;
     const ClothState exact = start_state(model, params);
-    for (std::uint32_t v = 0; v < model.vertex_count(); ++v) EXPECT_EQ(glm::vec3(exact.positions[v]), model.start_positions[v]);
+    for (std::uint32_t v = 0; v < model.vertex_count(); ++v)
+        EXPECT_EQ(glm::vec3(exact.positions[v]), model.start_positions[v]);
     params.seed = 4;
     const ClothState shifted = start_state(model, params);
     EXPECT_EQ(state_hash(shifted), state_hash(start_state(model, params)));

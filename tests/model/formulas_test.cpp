@@ -114,8 +114,8 @@ TEST(Wide, every_lane_is_the_scalar_formula_bit_for_bit)
         const WideVec3 wx{WideFloat(x[0]), WideFloat(x[1]), WideFloat(x[2])};
         const WideVec3 wv{WideFloat(v[0]), WideFloat(v[1]), WideFloat(v[2])};
         const WideVec3 force = formulas_wide::spring_force(wx, WideFloat(0.7f), WideFloat(33.0f));
-        const auto held = formulas_wide::push_out_of_sphere(formulas_wide::motion(wx, wv), WideVec3(0.1f), WideFloat(1.0f),
-                                                            WideFloat(0.05f), WideFloat(0.3f));
+        const auto held = formulas_wide::push_out_of_sphere(formulas_wide::motion(wx, wv), WideVec3(0.1f),
+                                                            WideFloat(1.0f), WideFloat(0.05f), WideFloat(0.3f));
         const WideVec3 sum = force + held.position + held.velocity;
         sum.x.store(out[0]), sum.y.store(out[1]), sum.z.store(out[2]);
         for (int lane = 0; lane < kLanes; ++lane) {

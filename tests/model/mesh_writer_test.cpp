@@ -21,7 +21,8 @@ TEST(MeshWriter, obj_and_ply_give_back_the_same_floats)
     std::mt19937 random(5);
     std::normal_distribution<float> at(0, 1);
     std::vector<glm::vec4> positions;
-    for (std::size_t i = 0; i < sheet.mesh.positions.size(); ++i) positions.emplace_back(at(random), at(random), at(random), 0);
+    for (std::size_t i = 0; i < sheet.mesh.positions.size(); ++i)
+        positions.emplace_back(at(random), at(random), at(random), 0);
     const MeshView view{positions, sheet.mesh.uvs, sheet.mesh.faces};
     const TemporaryDirectory directory;
     const TriangleMesh back = load_obj(directory.write("a.obj", obj_text(view)));
@@ -32,7 +33,8 @@ TEST(MeshWriter, obj_and_ply_give_back_the_same_floats)
 
     std::istringstream ply(ply_text(view));
     std::string line;
-    while (std::getline(ply, line) && line != "end_header") {}
+    while (std::getline(ply, line) && line != "end_header") {
+    }
     for (const glm::vec4& p : positions) {
         glm::vec3 q;
         ply >> q.x >> q.y >> q.z;

@@ -46,7 +46,7 @@ TEST(GridSprings, the_twelve_neighbours_are_those_of_figure_2_1)
         const int other = int(spring.a) == middle ? int(spring.b) : int(spring.a);
         offsets.insert({other % 5 - 2, other / 5 - 2});
     }
-    const std::set<std::pair<int, int>> expected{{1, 0}, {-1, 0}, {0, 1},  {0, -1}, {1, 1},  {-1, -1},
+    const std::set<std::pair<int, int>> expected{{1, 0},  {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1},
                                                  {1, -1}, {-1, 1}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}};
     EXPECT_EQ(offsets, expected);
 }
@@ -79,8 +79,9 @@ TEST(SpringTable, holds_every_spring_from_both_ends_and_nothing_else)
                         continue;
                     }
                     ++found;
-                    EXPECT_FLOAT_EQ(table.rest_lengths[entry],
-                                    glm::distance(model.rest_positions[v], model.rest_positions[table.neighbours[entry]]));
+                    EXPECT_FLOAT_EQ(
+                        table.rest_lengths[entry],
+                        glm::distance(model.rest_positions[v], model.rest_positions[table.neighbours[entry]]));
                 }
         }
         EXPECT_EQ(found, 2 * model.springs.size());

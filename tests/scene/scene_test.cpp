@@ -60,10 +60,13 @@ TEST(Scene, the_seed_is_17_by_17_in_the_x_y_plane)
 
 TEST(Scene, keys_reach_the_parameters_the_sheets_and_the_bodies)
 {
-    const Scene scene = load("title = \"t\"\n[params]\nwind_strength = 3\nmethod = \"explicit_euler\"\ncount_pass_through = true\n"
-                             "[view]\nlook = \"phong\"\n" + kSheet + "pins = [\"top\", \"left@0.5\", 24]\n"
-                             "[[sphere]]\nradius = 0.5\n[[plane]]\nnormal = [0, 2, 0]\noffset = -1.5\n"
-                             "[check]\nframes = 10\ncontacts = [1, inf]\n");
+    const Scene scene = load(
+        "title = \"t\"\n[params]\nwind_strength = 3\nmethod = \"explicit_euler\"\ncount_pass_through = true\n"
+        "[view]\nlook = \"phong\"\n" +
+        kSheet +
+        "pins = [\"top\", \"left@0.5\", 24]\n"
+        "[[sphere]]\nradius = 0.5\n[[plane]]\nnormal = [0, 2, 0]\noffset = -1.5\n"
+        "[check]\nframes = 10\ncontacts = [1, inf]\n");
     EXPECT_EQ(scene.params.wind_strength, 3);
     EXPECT_EQ(scene.params.method, Method::explicit_euler);
     EXPECT_EQ(scene.params.count_pass_through, 1);
@@ -98,8 +101,10 @@ TEST(Scene, pleats_fold_the_start_without_stretching_a_thread)
 
 TEST(Scene, what_is_wrong_is_named_with_file_and_line)
 {
-    EXPECT_THAT(refusal("[params]\nwind_strenght = 1\n" + kSheet), AllOf(HasSubstr("test.toml:2"), HasSubstr("wind_strength")));
-    EXPECT_THAT(refusal("[params]\ndamping = \"much\"\n" + kSheet), AllOf(HasSubstr("test.toml:2"), HasSubstr("0 to 1000")));
+    EXPECT_THAT(refusal("[params]\nwind_strenght = 1\n" + kSheet),
+                AllOf(HasSubstr("test.toml:2"), HasSubstr("wind_strength")));
+    EXPECT_THAT(refusal("[params]\ndamping = \"much\"\n" + kSheet),
+                AllOf(HasSubstr("test.toml:2"), HasSubstr("0 to 1000")));
     EXPECT_THAT(refusal("[params]\ndamping = -1\n" + kSheet), HasSubstr("test.toml:2"));
     EXPECT_THAT(refusal("[params]\ndamping = inf\n" + kSheet), HasSubstr("test.toml:2"));
     EXPECT_THAT(refusal("[params]\ndamping = nan\n" + kSheet), HasSubstr("test.toml:2"));

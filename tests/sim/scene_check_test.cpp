@@ -7,8 +7,7 @@ namespace nuno {
 namespace {
 
 class SceneCheck : public testing::TestWithParam<std::string>
-{
-};
+{};
 
 TEST_P(SceneCheck, holds)
 {
@@ -25,10 +24,12 @@ TEST_P(SceneCheck, holds)
     }
     const RunMetrics metrics = recorder.metrics();
     for (const std::string& failure : failed_bounds(scene.check, metrics)) ADD_FAILURE() << failure;
-    for (const MetricInfo& metric : metric_table()) RecordProperty(std::string(metric.name), std::to_string(metrics.*metric.value));
+    for (const MetricInfo& metric : metric_table())
+        RecordProperty(std::string(metric.name), std::to_string(metrics.*metric.value));
 }
 
-INSTANTIATE_TEST_SUITE_P(Library, SceneCheck, testing::ValuesIn(scene_names()), [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Library, SceneCheck, testing::ValuesIn(scene_names()),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace nuno

@@ -123,8 +123,9 @@ TEST(Simulation, numbers_gone_bad_end_it_with_the_setting_that_holds)
         EXPECT_EQ(error.code(), ExitCode::went_bad);
         message = error.what();
     }
-    EXPECT_THAT(message, testing::AllOf(testing::HasSubstr("hang"), testing::HasSubstr("frame"), testing::HasSubstr("substeps"),
-                                        testing::HasSubstr("vertex"), testing::HasSubstr("--set substeps=")));
+    EXPECT_THAT(message,
+                testing::AllOf(testing::HasSubstr("hang"), testing::HasSubstr("frame"), testing::HasSubstr("substeps"),
+                               testing::HasSubstr("vertex"), testing::HasSubstr("--set substeps=")));
     // The advice is true.
     const std::size_t at = message.find("--set substeps=") + 15;
     params.substeps = std::stoi(message.substr(at));

@@ -47,8 +47,7 @@ ClothModel pendulum_triangle(float half_width, float depth)
 }
 
 class EulerTest : public testing::TestWithParam<Method>
-{
-};
+{};
 
 // v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); first order: the error halves with h.
 TEST_P(EulerTest, free_fall_with_drag_follows_the_closed_form_at_first_order)

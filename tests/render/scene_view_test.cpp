@@ -1,0 +1,187 @@
+// What a picture shows: cloth lit on both sides in either look, its texture, spheres, floor, shadow and background.
+#include "render/scene_view.h"
+
+#include <glm/geometric.hpp>
+
+#include "core/error.h"
+#include "gl/gl_test.h"
+#include "render/bent_sheet.h"
+#include "render/picture_compare.h"
+
+namespace nuno {
+namespace {
+
+class SceneViewTest : public GlTest
+{
+  protected:
+    SceneViewTest()
+    {
+        params.width = 320;
+        params.height = 180;
+    }
+    Picture draw(const BentSheet& sheet)
+    {
+        SceneView view(sheet.topology());
+        Picture picture;
+        view.draw_picture(params, view.upload_positions(sheet.positions), colliders, picture);
+        return picture;
+    }
+    // The middle of the cloth as the parameters place it.
+    static glm::vec3 cloth_colour(const Picture& picture) { return mean_colour(picture, 0.42, 0.3, 0.58, 0.6); }
+    static float brightness(glm::vec3 colour) { return (colour.r + colour.g + colour.b) / 3; }
+
+    ViewParams params;
+    Colliders colliders;
+};
+
+TEST_F(SceneViewTest, gouraud_look_matches_its_reference)
+{
+    expect_matches_reference(draw(bent_sheet(33, texture_path("weave.bmp"))), "gouraud");
+}
+
+TEST_F(SceneViewTest, phong_look_with_a_sphere_matches_its_reference)
+{
+    params.look = Look::phong;
+    params.background = Background::daylight;
+    params.texture_scale = 1.5f;
+    colliders.spheres = {{{0.6f, -0.2f, 0.3f}, 0.3f}};
+    colliders.planes = {{{0, 1, 0}, -0.5f}};
+    expect_matches_reference(draw(bent_sheet(33, texture_path("print.bmp"))), "phong");
+}
+
+TEST_F(SceneViewTest, the_looks_differ_but_little)
+{
+    const BentSheet sheet = bent_sheet(17, texture_path("stripe.bmp"));
+    const Picture gouraud = draw(sheet);
+    params.look = Look::phong;
+    const PictureDifference difference = compare_pictures(gouraud, draw(sheet));
+    EXPECT_GT(difference.mean, 0.05);
+    EXPECT_LT(difference.mean, 5.0);
+}
+
+TEST_F(SceneViewTest, cloth_is_lit_on_both_sides_in_both_looks)
+{
+    for (const Look look : {Look::gouraud, Look::phong})
+        for (const float azimuth : {0.0f, 180.0f}) {
+            params.look = look;
+            params.camera_azimuth = azimuth;
+            EXPECT_GT(brightness(cloth_colour(draw(bent_sheet(17, {})))), 90) << "seen from " << azimuth;
+        }
+}
+
+TEST_F(SceneViewTest, the_side_that_is_turned_to_the_light_is_brighter)
+{
+    const BentSheet sheet = bent_sheet(17, {});
+    params.camera_azimuth = 0;
+    params.light_azimuth = 0;
+    const float towards = brightness(cloth_colour(draw(sheet)));
+    params.light_azimuth = 180;
+    EXPECT_GT(towards, brightness(cloth_colour(draw(sheet))) + 20);
+}
+
+TEST_F(SceneViewTest, cloth_without_translucency_is_dark_against_the_light)
+{
+    const BentSheet sheet = bent_sheet(17, {});
+    params.light_azimuth = params.camera_azimuth + 150;
+    const float shining_through = brightness(cloth_colour(draw(sheet)));
+    params.translucency = 0;
+    EXPECT_GT(shining_through, brightness(cloth_colour(draw(sheet))) + 5);
+}
+
+TEST_F(SceneViewTest, the_texture_colours_the_cloth_and_repeats_as_asked)
+{
+    const Picture stripes = draw(bent_sheet(17, texture_path("stripe.bmp")));
+    const Picture plain = draw(bent_sheet(17, {}));
+    EXPECT_GT(glm::distance(cloth_colour(stripes), cloth_colour(plain)), 10);
+    params.texture_scale = 1;
+    EXPECT_GT(compare_pictures(stripes, draw(bent_sheet(17, texture_path("stripe.bmp")))).changed_part, 0.02);
+}
+
+TEST_F(SceneViewTest, two_sheets_wear_their_own_textures)
+{
+    params.camera_azimuth = 0;
+    BentSheet sheet = bent_sheet(17, {});
+    const std::uint32_t half = static_cast<std::uint32_t>(sheet.faces.size() / 2);
+    sheet.sheets = {{0, half, texture_path("print.bmp")}, {half, half, {}}};
+    const Picture both = draw(sheet);
+    sheet.sheets = {{0, 2 * half, {}}};
+    const Picture plain = draw(sheet);
+    EXPECT_GT(glm::distance(mean_colour(both, 0.45, 0.2, 0.55, 0.3), mean_colour(plain, 0.45, 0.2, 0.55, 0.3)), 40);
+    EXPECT_EQ(mean_colour(both, 0.45, 0.6, 0.55, 0.7), mean_colour(plain, 0.45, 0.6, 0.55, 0.7));
+}
+
+TEST_F(SceneViewTest, cloth_follows_the_buffer_it_is_drawn_from)
+{
+    const BentSheet sheet = bent_sheet(17, {});
+    SceneView view(sheet.topology());
+    std::vector<glm::vec4> away = sheet.positions;
+    for (glm::vec4& position : away) position.x += 100;
+    const Buffer here = make_buffer(sheet.positions, GL_STATIC_DRAW);
+    const Buffer there = make_buffer(away, GL_STATIC_DRAW);
+    Picture with, without, again;
+    view.draw_picture(params, here.id(), colliders, with);
+    view.draw_picture(params, there.id(), colliders, without);
+    view.draw_picture(params, here.id(), colliders, again);
+    EXPECT_GT(compare_pictures(with, without).changed_part, 0.08);
+    EXPECT_EQ(with.rgba, again.rgba);
+}
+
+TEST_F(SceneViewTest, a_sphere_hides_the_cloth_behind_it)
+{
+    const BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));
+    params.camera_azimuth = 0;
+    const glm::vec3 cloth = cloth_colour(draw(sheet));
+    colliders.spheres = {{{0, 0.4f, 0.8f}, 0.3f}};
+    const glm::vec3 ball = cloth_colour(draw(sheet));
+    EXPECT_GT(glm::distance(cloth, ball), 20);
+    EXPECT_GT(ball.r, ball.b) << "spheres are of clay";
+}
+
+TEST_F(SceneViewTest, cloth_darkens_the_floor_under_it)
+{
+    params.light_elevation = 90;
+    params.camera_elevation = 40;
+    params.camera_target_y = -0.4f;
+    const BentSheet sheet = bent_sheet(17, {});
+    const Picture shadowed = draw(sheet);
+    params.shadow = 0;
+    const Picture bare = draw(sheet);
+    EXPECT_GT(compare_pictures(shadowed, bare).changed_part, 0.01);
+    double brighter = 0;
+    for (std::size_t i = 0; i < bare.rgba.size(); ++i) brighter += shadowed.rgba[i] > bare.rgba[i] + 2;
+    EXPECT_EQ(brighter, 0);
+}
+
+TEST_F(SceneViewTest, the_floor_hides_nothing_from_below)
+{
+    const BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));
+    params.camera_elevation = -40;
+    params.camera_distance = 4;
+    const Picture with_floor = draw(sheet);
+    params.floor = 0;
+    EXPECT_EQ(with_floor.rgba, draw(sheet).rgba);
+}
+
+TEST_F(SceneViewTest, a_plane_of_the_scene_is_shown_in_place_of_the_floor)
+{
+    const BentSheet sheet = bent_sheet(17, {});
+    params.floor_height = -1;
+    const Picture low = draw(sheet);
+    colliders.planes = {{{0, 1, 0}, -1.0f}};
+    EXPECT_EQ(low.rgba, draw(sheet).rgba);
+    colliders.planes = {{{0.6f, 0.8f, 0}, -0.5f}};
+    EXPECT_GT(compare_pictures(low, draw(sheet)).changed_part, 0.02);
+}
+
+TEST_F(SceneViewTest, a_missing_texture_is_an_error_that_names_it)
+{
+    try {
+        draw(bent_sheet(5, "nowhere/cloth.bmp"));
+        FAIL() << "the texture was accepted";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("nowhere/cloth.bmp"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace nuno
