@@ -8,7 +8,8 @@ SceneView make_scene_view(const Simulation& simulation)
     const ClothModel& model = simulation.model();
     std::vector<DrawnSheet> sheets;
     for (std::size_t i = 0; i < model.sheets.size(); ++i)
-        sheets.push_back({model.sheets[i].first_face, model.sheets[i].face_count, simulation.scene().sheets[i].texture});
+        sheets.push_back(
+            {model.sheets[i].first_face, model.sheets[i].face_count, simulation.scene().sheets[i].texture});
     return SceneView({model.vertex_count(), model.faces, model.uvs, sheets});
 }
 

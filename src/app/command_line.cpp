@@ -24,7 +24,8 @@ void apply(SceneRun& run, const std::string& name, const std::string& text, cons
         if (changed && std::find(kNeutral.begin(), kNeutral.end(), name) == kNeutral.end()) run.check_applies = false;
         return;
     }
-    if (const ParamInfo* info = find_param(view_param_table(), name)) return set_param_text(*info, &run.view, text, where);
+    if (const ParamInfo* info = find_param(view_param_table(), name))
+        return set_param_text(*info, &run.view, text, where);
     const ParamTable tables[] = {sim_param_table(), view_param_table()};
     throw_unknown_param(name, tables, where);
 }
@@ -32,8 +33,7 @@ void apply(SceneRun& run, const std::string& name, const std::string& text, cons
 void apply_set(SceneRun& run, const std::string& set)
 {
     const std::size_t equals = set.find('=');
-    if (equals == std::string::npos)
-        throw Error(fmt::format("--set {}: has no value; write --set NAME=VALUE", set));
+    if (equals == std::string::npos) throw Error(fmt::format("--set {}: has no value; write --set NAME=VALUE", set));
     apply(run, set.substr(0, equals), set.substr(equals + 1), "--set");
 }
 
@@ -41,7 +41,8 @@ void apply_set(SceneRun& run, const std::string& set)
 
 void add_common_flags(CLI::App& command, CommonFlags& flags)
 {
-    command.add_option("--set", flags.sets, "Set a parameter: NAME=VALUE, repeatable (nuno params lists them)")->allow_extra_args(false);
+    command.add_option("--set", flags.sets, "Set a parameter: NAME=VALUE, repeatable (nuno params lists them)")
+        ->allow_extra_args(false);
     command.add_option("--method", flags.method, "Time integration");
     command.add_option("--backend", flags.backend, "cpu or gpu");
     command.add_option("--collision", flags.collision, "Level of self-collision");

@@ -15,7 +15,7 @@ namespace nuno {
 struct CommonFlags
 {
     std::string scene = "seed";
-    std::vector<std::string> sets;  // NAME=VALUE
+    std::vector<std::string> sets;                          // NAME=VALUE
     std::string method, backend, collision, threads, seed;  // empty: not given
     std::string json;
     bool hash = false, quiet = false;

@@ -44,14 +44,16 @@ int run_compare(const CompareFlags& flags)
 
     const bool software = machine.gl()->software;
     fmt::print("{}", compare_table(points, software));
-    const MachineInfo info = machine.info(ThreadPool(flags.common.threads.empty() ? 0 : std::stoi(flags.common.threads)).thread_count());
+    const MachineInfo info =
+        machine.info(ThreadPool(flags.common.threads.empty() ? 0 : std::stoi(flags.common.threads)).thread_count());
     const nlohmann::ordered_json json = {{"program", {{"name", "nuno"}, {"version", kVersion}, {"commit", kCommit}}},
                                          {"machine", machine_json(info)},
                                          {"points", compare_json(points)}};
     write_whole(out / "compare.json", json.dump(1) + "\n");
     if (!flags.common.json.empty()) write_whole(flags.common.json, json.dump(1) + "\n");
     if (!plot_comparison(points, software, out))
-        fmt::print(stderr, "compare: no picture, since gnuplot is missing or failed; {} holds its data\n", (out / "compare.dat").string());
+        fmt::print(stderr, "compare: no picture, since gnuplot is missing or failed; {} holds its data\n",
+                   (out / "compare.dat").string());
     if (interrupted()) return static_cast<int>(ExitCode::interrupted);
     return static_cast<int>(backends_agree(points, software) ? ExitCode::done : ExitCode::check_failed);
 }

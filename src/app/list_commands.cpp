@@ -18,10 +18,11 @@ int list_scenes()
 int list_params(bool markdown)
 {
     if (markdown) {
-        fmt::print("# Parameters\n\nWritten by `nuno params --markdown` from the tables in src/model/sim_params.def and "
-                   "src/render/view_params.def. Each is a key of a scene's [params] or [view], a `--set name=value`, and a "
-                   "slider of the viewer. A later one wins: default, scene, flag, slider.\n\n## Simulation\n{}\n## View\n{}",
-                   param_docs(sim_param_table()), param_docs(view_param_table()));
+        fmt::print(
+            "# Parameters\n\nWritten by `nuno params --markdown` from the tables in src/model/sim_params.def and "
+            "src/render/view_params.def. Each is a key of a scene's [params] or [view], a `--set name=value`, and a "
+            "slider of the viewer. A later one wins: default, scene, flag, slider.\n\n## Simulation\n{}\n## View\n{}",
+            param_docs(sim_param_table()), param_docs(view_param_table()));
         return 0;
     }
     for (const ParamTable table : {sim_param_table(), view_param_table()})

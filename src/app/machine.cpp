@@ -12,8 +12,9 @@ std::optional<std::string> software_remark(const Simulation& simulation, const G
 {
     if (!gl.software || simulation.params().backend != Backend::gpu) return std::nullopt;
     const BackendSpeed speed = probe_backends(simulation.model(), simulation.scene().colliders, simulation.params());
-    return fmt::format("{} is a software renderer, so compute shaders run on the CPU; --backend cpu is {:.1f} times as fast here",
-                       gl.renderer, speed.gpu_ns / speed.cpu_ns);
+    return fmt::format(
+        "{} is a software renderer, so compute shaders run on the CPU; --backend cpu is {:.1f} times as fast here",
+        gl.renderer, speed.gpu_ns / speed.cpu_ns);
 }
 
 MachineInfo machine_info(const GlInfo* gl, int threads)

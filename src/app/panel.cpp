@@ -13,7 +13,7 @@
 namespace nuno {
 namespace {
 
-constexpr float kMargin = 10, kParameterWidth = 410, kCostWidth = 310;
+constexpr float kMargin = 10, kSideWidth = 400, kCostWidth = 280;
 constexpr std::array<std::string_view, 2> kOpenGroups{"wind", "stiffness"};
 
 bool opens_at_first(std::string_view group)
@@ -36,59 +36,80 @@ std::vector<std::string_view> ordered_groups(ParamTable table)
     return groups;
 }
 
+ParamRows::Kind kind_of_sim_row(const ParamInfo& info)
+{
+    const bool rebuilds = needs_restart(info.name) || info.name == "threads";
+    return rebuilds ? ParamRows::Kind::on_release : ParamRows::Kind::live;
+}
+
+// The size of the picture is that of the window.
+ParamRows::Kind kind_of_view_row(const ParamInfo& info)
+{
+    const bool of_window = info.name == "width" || info.name == "height";
+    return of_window ? ParamRows::Kind::hidden : ParamRows::Kind::live;
+}
+
 }  // namespace
 
-PanelRequests Panel::draw(ViewerSession& session, ViewerMeters& meters, float scale)
+void Panel::lay_out(glm::vec2 size, float scale)
 {
-    const glm::vec2 display(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
-    place_again_ = placed_for_ != display || scale_ != scale;
-    placed_for_ = display;
+    place_again_ = size != size_ || scale != scale_;
+    if (scale != scale_) width_ = kSideWidth * scale;
+    width_ = std::min(width_, 0.5f * size.x);
+    size_ = size;
     scale_ = scale;
+}
+
+PanelRequests Panel::draw(ViewerSession& session, ViewerMeters& meters)
+{
     PanelRequests requests;
-    const float margin = kMargin * scale;
-    float left = 0, right = display.x;  // of the picture between the panels
     if (visible) {
-        left = std::min(kParameterWidth * scale, 0.5f * display.x) + margin;
-        right -= std::min(kCostWidth * scale, 0.4f * display.x) + margin;
-        place_window(margin, margin, left - margin, display.y - 2 * margin);
-        requests = draw_scene_panel(session);
-        place_window(right, margin, display.x - margin - right, 0);
-        const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-        if (ImGui::Begin("Cost", nullptr, flags)) draw_cost_panel(session, meters, log_, scale);
-        ImGui::End();
+        requests = draw_side(session);
+        draw_cost(session, meters);
     }
-    ImGui::SetNextWindowPos({(left + right) / 2, display.y - margin}, ImGuiCond_Always, {0.5f, 1});
-    ImGui::SetNextWindowSize({std::clamp(right - left - 2 * margin, 300 * scale, 560 * scale), 0});
     draw_messages(session);
     if (help) draw_help(help);
     return requests;
 }
 
-PanelRequests Panel::draw_scene_panel(ViewerSession& session)
+// Its right edge can be dragged.
+PanelRequests Panel::draw_side(ViewerSession& session)
 {
     PanelRequests requests;
-    if (ImGui::Begin("Scene", nullptr, ImGuiWindowFlags_NoSavedSettings)) {
-        draw_scene_list(session);
-        requests = draw_buttons(session);
-        const Simulation& simulation = session.simulation();
-        const std::string state =
-            fmt::format("{:.2f} s, frame {}, {}", simulation.time_s(), simulation.frame(), simulation.solver_name());
-        ImGui::TextUnformatted(state.c_str());
-        ImGui::Spacing();
-        ImGui::BeginChild("parameters");
-        draw_parameters(session);
-        ImGui::EndChild();
-    }
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSizeConstraints({std::min(200 * scale_, 0.5f * size_.x), size_.y}, {0.5f * size_.x, size_.y});
+    ImGui::SetNextWindowSize({width_, size_.y}, place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::Begin("side", nullptr, flags);
+    ImGui::PopStyleVar();
+    width_ = ImGui::GetWindowWidth();
+    draw_scene_list(session);
+    requests = draw_buttons(session);
+    const Simulation& simulation = session.simulation();
+    const std::string state =
+        fmt::format("{:.2f} s, frame {}, {}", simulation.time_s(), simulation.frame(), simulation.solver_name());
+    ImGui::TextUnformatted(state.c_str());
+    ImGui::Spacing();
+    ImGui::BeginChild("parameters");
+    draw_parameters(session);
+    ImGui::EndChild();
     ImGui::End();
     return requests;
 }
 
-// Where the window's size or the scale has changed, else where the user left it. No height: as high as its contents.
-void Panel::place_window(float x, float y, float width, float height) const
+// As high as its contents, and where the user moved it until the window changes.
+void Panel::draw_cost(const ViewerSession& session, ViewerMeters& meters)
 {
-    const ImGuiCond when = place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
-    ImGui::SetNextWindowPos({x, y}, when);
-    ImGui::SetNextWindowSize({width, height}, height > 0 ? when : ImGuiCond_Always);
+    const float margin = kMargin * scale_;
+    const float width = std::min(kCostWidth * scale_, size_.x - width_ - 2 * margin);
+    ImGui::SetNextWindowPos({size_.x - margin - width, margin},
+                            place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({width, 0});
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("Cost", nullptr, flags)) draw_cost_panel(session, meters, log_, scale_);
+    ImGui::End();
 }
 
 void Panel::draw_scene_list(ViewerSession& session)
@@ -137,10 +158,13 @@ PanelRequests Panel::draw_buttons(ViewerSession& session)
 void Panel::draw_messages(ViewerSession& session)
 {
     if (session.error().empty() && !session.stability_warning() && notice.empty()) return;
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                        ImGuiWindowFlags_NoNav;
-    ImGui::Begin("messages", nullptr, kFlags);
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                   ImGuiWindowFlags_NoNav;
+    const float left = covered_width(), margin = kMargin * scale_;
+    ImGui::SetNextWindowPos({(left + size_.x) / 2, size_.y - margin}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowSize({std::clamp(size_.x - left - 2 * margin, 200 * scale_, 600 * scale_), 0});
+    ImGui::Begin("messages", nullptr, flags);
     if (!session.error().empty()) {
         text_line({1.0f, 0.45f, 0.42f, 1}, session.error());
         if (session.went_bad() ? message_button("Restart") : message_button("Dismiss"))
@@ -168,14 +192,13 @@ void Panel::draw_parameters(ViewerSession& session)
 {
     // A row acts after all are drawn: a change may build another cloth.
     const SimParams params = session.simulation().params(), scene_params = session.file_params();
-    const auto rebuilds = [](const ParamInfo& info) { return needs_restart(info.name) || info.name == "threads"; };
-    const ParamRows rows{sim_param_table(), &params, &scene_params, rebuilds};
+    const ParamRows rows{sim_param_table(), &params, &scene_params, kind_of_sim_row};
     for (const std::string_view group : ordered_groups(sim_param_table()))
         if (const auto edit = params_.draw_group(rows, group, opens_at_first(group)))
             session.set_sim_param(*edit->info, edit->value);
 
     const ViewParams view = session.view();
-    const ParamRows view_rows{view_param_table(), &view, &session.file_view(), [](const ParamInfo&) { return false; }};
+    const ParamRows view_rows{view_param_table(), &view, &session.file_view(), kind_of_view_row};
     for (const std::string_view group : ordered_groups(view_param_table()))
         if (const auto edit = params_.draw_group(view_rows, group, false))
             session.set_view_param(*edit->info, edit->value);

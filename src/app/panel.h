@@ -1,4 +1,4 @@
-// The viewer's panel: the scene and its parameters on the left, what they cost on the right.
+// The viewer's panel: the scene and its parameters down the left side, what they cost over the picture.
 #pragma once
 
 #include <optional>
@@ -41,27 +41,31 @@ class Panel
     bool visible = true, help = false;
     std::string notice;  // one line of good news, such as the name of a file that was written
 
-    // `scale`: window coordinates for each unit of the layout.
-    PanelRequests draw(ViewerSession& session, ViewerMeters& meters, float scale);
+    // Fits the panel to a window of `size` before a frame; `scale`: window coordinates for each unit of the layout.
+    void lay_out(glm::vec2 size, float scale);
+    // Width of the side panel, which hides what is under it [window coordinates].
+    float covered_width() const { return visible ? width_ : 0; }
+
+    PanelRequests draw(ViewerSession& session, ViewerMeters& meters);
 
   private:
-    void place_window(float x, float y, float width, float height) const;
-    PanelRequests draw_scene_panel(ViewerSession& session);
+    PanelRequests draw_side(ViewerSession& session);
+    void draw_cost(const ViewerSession& session, ViewerMeters& meters);
     void draw_scene_list(ViewerSession& session);
     PanelRequests draw_buttons(ViewerSession& session);
+    void draw_parameters(ViewerSession& session);
     void draw_messages(ViewerSession& session);
     bool message_button(const std::string& text);
-    void draw_parameters(ViewerSession& session);
 
     ViewerLog& log_;
     ParamPanel params_;
     std::vector<std::string> scenes_;  // of the list, read each time it is opened
-    glm::vec2 placed_for_{0};          // the window's size that the panels were last laid out for
-    float scale_ = 0;
-    bool place_again_ = true;
+    glm::vec2 size_{0};                // of the window
+    float scale_ = 0, width_ = 0;
+    bool place_again_ = true;  // the window's size or the scale has changed
 };
 
-// The contents of the window on the right.
+// The contents of the window with the cost.
 void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale);
 
 // The list of keys and mouse movements, in the middle; `open` becomes false where it was closed.

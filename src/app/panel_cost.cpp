@@ -9,6 +9,7 @@ namespace nuno {
 namespace {
 
 constexpr float kGraphHeight = 90;
+constexpr std::size_t kRows = (kGraphStages + 1) / 2;  // of the two columns of stages
 
 void text_pair(const char* name, const std::string& value)
 {
@@ -51,15 +52,16 @@ void draw_stage(const StageHistory& stages, std::size_t stage)
 void draw_stages(const StageHistory& stages)
 {
     if (!ImGui::BeginTable("stages", 4, ImGuiTableFlags_SizingStretchProp)) return;
-    constexpr std::size_t kRows = (kGraphStages + 1) / 2;
     for (std::size_t row = 0; row < kRows; ++row) {
         draw_stage(stages, row);
         if (row + kRows < kGraphStages) draw_stage(stages, row + kRows);
     }
     ImGui::EndTable();
-    float total_ms = 0;
-    for (std::size_t stage = 0; stage < kGraphStages; ++stage) total_ms += stages.smoothed_ms(stage);
-    ImGui::TextDisabled("%s", fmt::format("all together {:.1f} ms a frame", total_ms).c_str());
+    ImGui::TextDisabled("%s", fmt::format("{:.1f} ms a frame of the window", stages.smoothed_sum_ms()).c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Above: ms for each simulated frame; of render and panel, for each frame of the window.\n"
+            "A window that is slower than the cloth shows several simulated frames at once.");
 }
 
 void draw_cloth_numbers(ViewerMeters& meters, ViewerLog& log)

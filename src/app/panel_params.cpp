@@ -123,15 +123,16 @@ std::optional<ParamEdit> ParamPanel::draw_group(const ParamRows& rows, std::stri
     std::optional<ParamEdit> edit;
     for (const ParamInfo& info : rows.table) {
         if (!open || info.group != group) continue;
-        if (const std::optional<ParamEdit> row = draw_row(rows, info)) edit = row;
+        const ParamRows::Kind kind = rows.kind(info);
+        if (kind == ParamRows::Kind::hidden) continue;
+        if (const auto row = draw_row(rows, info, kind == ParamRows::Kind::on_release)) edit = row;
     }
     return edit;
 }
 
-std::optional<ParamEdit> ParamPanel::draw_row(const ParamRows& rows, const ParamInfo& info)
+std::optional<ParamEdit> ParamPanel::draw_row(const ParamRows& rows, const ParamInfo& info, bool on_release)
 {
     const double value = param_value(info, rows.block), scene_value = param_value(info, rows.scene_block);
-    const bool on_release = rows.acts_on_release(info);
     const bool held = held_back_ && held_back_->info == &info;
     const std::string name(info.name);
     ImGui::PushID(name.c_str());

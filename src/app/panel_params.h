@@ -26,8 +26,14 @@ struct ParamRows
     ParamTable table;
     const void* block;        // the values now
     const void* scene_block;  // those of the scene's file, to which a row goes back
-    // True for a row whose change is too heavy to follow the mouse: it acts when the mouse lets go.
-    std::function<bool(const ParamInfo&)> acts_on_release;
+    // How a row behaves.
+    enum class Kind
+    {
+        live,
+        on_release,  // its change is too heavy to follow the mouse: it acts when the mouse lets go
+        hidden
+    };
+    std::function<Kind(const ParamInfo&)> kind;
 };
 
 class ParamPanel
@@ -39,7 +45,7 @@ class ParamPanel
     std::optional<ParamEdit> draw_group(const ParamRows& rows, std::string_view group, bool open_at_first);
 
   private:
-    std::optional<ParamEdit> draw_row(const ParamRows& rows, const ParamInfo& info);
+    std::optional<ParamEdit> draw_row(const ParamRows& rows, const ParamInfo& info, bool on_release);
     std::optional<double> draw_reset(const ParamInfo& info, double value, double scene_value);
     void draw_tooltip(const ParamInfo& info, double scene_value, bool on_release);
 

@@ -38,8 +38,8 @@ void Progress::show(int done)
     if (done < total_ && elapsed_ms - shown_ms_ < kRedrawMs) return;
     shown_ms_ = elapsed_ms;
     const int filled = kBarWidth * done / total_;
-    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left \033[K", what_, "", filled, "", kBarWidth - filled, done,
-               total_, left_s);
+    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left \033[K", what_, "", filled, "", kBarWidth - filled,
+               done, total_, left_s);
     std::fflush(stderr);
     bar_drawn_ = true;
 }

@@ -13,6 +13,10 @@ namespace {
 
 constexpr float kSmoothing = 0.06f;  // share of the newest frame
 constexpr float kAxisStepsMs[] = {2, 4, 8, 16, 24, 40, 80, 160, 320, 640, 1280};
+constexpr unsigned kColours[] = {IM_COL32(76, 155, 232, 255), IM_COL32(150, 170, 190, 255),
+                                 IM_COL32(92, 184, 128, 255), IM_COL32(242, 193, 78, 255),
+                                 IM_COL32(240, 130, 80, 255), IM_COL32(155, 138, 232, 255),
+                                 IM_COL32(230, 95, 145, 255), IM_COL32(105, 120, 135, 255)};
 constexpr float kDisplayFrameMs = 1000.0f / 60;
 
 constexpr bool of_window(std::size_t stage)
@@ -43,6 +47,7 @@ void StageHistory::add(const StageColumn& column, int simulated_frames)
         started_[i] = true;
     }
     if (simulated_frames == 0) return;
+    smoothed_sum_ += (columns_.empty() ? 1.0f : kSmoothing) * (sum(column) - smoothed_sum_);
     if (columns_.size() < kFrames) {
         columns_.push_back(column);
     } else {
@@ -65,14 +70,7 @@ float graph_axis_ms(float highest_ms)
     return std::ceil(highest_ms / 1000) * 1000;
 }
 
-unsigned graph_stage_colour(std::size_t stage)
-{
-    static constexpr unsigned kColours[] = {IM_COL32(76, 155, 232, 255), IM_COL32(150, 170, 190, 255),
-                                            IM_COL32(92, 184, 128, 255), IM_COL32(242, 193, 78, 255),
-                                            IM_COL32(240, 130, 80, 255), IM_COL32(155, 138, 232, 255),
-                                            IM_COL32(230, 95, 145, 255), IM_COL32(105, 120, 135, 255)};
-    return kColours[stage % std::size(kColours)];
-}
+unsigned graph_stage_colour(std::size_t stage) { return kColours[stage % std::size(kColours)]; }
 
 void draw_stage_graph(const StageHistory& history, float width, float height)
 {

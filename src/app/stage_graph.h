@@ -34,12 +34,17 @@ class StageHistory
     const StageColumn& column(std::size_t i) const { return columns_[(first_ + i) % columns_.size()]; }
     // Of a stage of the simulation: per simulated frame. Of render and panel: per frame of the window.
     float smoothed_ms(std::size_t stage) const { return smoothed_[stage]; }
+    float smoothed_sum_ms() const
+    {
+        return smoothed_sum_;
+    }                          // of a frame of the window and all that was simulated for it
     float highest_ms() const;  // of a column's sum
 
   private:
     std::vector<StageColumn> columns_;  // a ring once it is full
     std::size_t first_ = 0;
     StageColumn smoothed_{};
+    float smoothed_sum_ = 0;
     std::array<bool, kGraphStages> started_{};
 };
 

@@ -1,4 +1,4 @@
-// Picking in window coordinates: every vertex is projected once, then faces and vertices are compared in the plane.
+// Picking in the picture: every vertex is projected once, then faces and vertices are compared in the plane.
 #include "app/vertex_picker.h"
 
 #include <cmath>
@@ -12,12 +12,12 @@ namespace nuno {
 namespace {
 
 constexpr float kBehind = std::numeric_limits<float>::infinity();  // depth of a vertex that is behind the camera
-constexpr float kAboutAsClose = 4.0f;                              // [window coordinates]
+constexpr float kAboutAsClose = 4.0f;
 
 float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // Depth at `place` of the projected triangle, none where it does not cover the place. Depth after the division by w is linear
-// over the window, so the weights in the window are those of the depth.
+// over the picture, so the weights in the picture are those of the depth.
 std::optional<float> depth_at(glm::vec2 place, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     if (a.z == kBehind || b.z == kBehind || c.z == kBehind) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<glm::vec3> project(const PickView& view, glm::vec3 point)
     const glm::vec4 clip = view.camera.view_projection * glm::vec4(point, 1);
     if (!(clip.w > 0)) return std::nullopt;
     const glm::vec3 ndc = glm::vec3(clip) / clip.w;
-    return glm::vec3((ndc.x + 1) / 2 * view.window_size.x, (1 - ndc.y) / 2 * view.window_size.y, ndc.z);
+    return glm::vec3((ndc.x + 1) / 2 * view.size.x, (1 - ndc.y) / 2 * view.size.y, ndc.z);
 }
 
 std::optional<std::uint32_t> pick_vertex(std::span<const glm::vec4> positions, std::span<const glm::uvec3> faces,

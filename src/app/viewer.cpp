@@ -4,7 +4,10 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
+
+#include <glm/common.hpp>
 
 #include "app/interrupt.h"
 #include "app/machine.h"
@@ -28,6 +31,13 @@ constexpr double kPlayingWaitS = 0.001;  // while the next simulated frame is no
 constexpr double kPausedWaitS = 0.25;
 constexpr double kMinimisedWaitS = 0.1;
 
+// Where asserts are on, so are the driver's own checks.
+#ifdef NDEBUG
+constexpr bool kAsserts = false;
+#else
+constexpr bool kAsserts = true;
+#endif
+
 class Viewer
 {
   public:
@@ -43,6 +53,7 @@ class Viewer
     void add_stats(const std::vector<FrameStats>& stats);
     void measure();
     void show(const WindowInput& input);
+    PointerArea picture_area() const;
     void draw_panel(const PointerArea& area);
     void take_photo();
     void note_start();
@@ -72,13 +83,17 @@ class Viewer
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
       log_(options.log_actions),
-      window_({"nuno", {options.width, options.height}, options.vsync, options.debug_context}),
+      window_({"nuno", {options.width, options.height}, options.vsync, options.debug_context || kAsserts}),
       ui_(window_),
       session_(options, log_, !options.json.empty()),
       pointer_(log_),
       panel_(log_)
 {
     meters_.gl = gl_info();
+    if (const auto remark = software_remark(session_.simulation(), meters_.gl)) {
+        if (!options.quiet) fmt::print(stderr, "{}\n", *remark);
+        panel_.notice = *remark;
+    }
     log_.action("window {}x{} content scale {}", window_.size().x, window_.size().y, window_.content_scale());
 }
 
@@ -147,18 +162,19 @@ void Viewer::show(const WindowInput& input)
 {
     Stopwatch watch;
     ui_.begin_frame(input.keys);
-    const glm::ivec2 size = window_.size();
-    const PointerArea area{glm::vec2(size), ui_.scale(), ui_.wants_pointer()};
+    panel_.lay_out(glm::vec2(window_.size()), ui_.scale());
     if (std::exchange(help_shown_, panel_.help) != panel_.help)
         log_.action("help {}", panel_.help ? "shown" : "hidden");
     if (std::exchange(panel_has_keys_, ui_.wants_keys()) != ui_.wants_keys())
         log_.action("keys go to the {}", panel_has_keys_ ? "panel" : "picture");
     if (!panel_has_keys_) handle_keys(input.keys);
+    const PointerArea area = picture_area();
     pointer_.handle(input.pointer, area, session_);
     if (session_.start_count() != start_count_) note_start();
     double panel_ms = watch.lap_ms();
 
-    picture_.draw(session_, pixels_, stage_ms_);
+    const glm::vec2 pixels_per_unit = glm::vec2(pixels_) / glm::vec2(window_.size());
+    picture_.draw(session_, pixels_, static_cast<int>(std::lround(area.corner.x * pixels_per_unit.x)), stage_ms_);
     measure();
     watch.lap_ms();
     draw_panel(area);
@@ -170,10 +186,17 @@ void Viewer::show(const WindowInput& input)
     end_shown_frame();
 }
 
+// The window without the side panel.
+PointerArea Viewer::picture_area() const
+{
+    const glm::vec2 corner(std::round(panel_.covered_width()), 0);
+    return {corner, glm::max(glm::vec2(window_.size()) - corner, 1.0f), ui_.scale(), ui_.wants_pointer()};
+}
+
 void Viewer::draw_panel(const PointerArea& area)
 {
     if (since_notice_.elapsed_ms() > kNoticeMs) panel_.notice.clear();
-    const PanelRequests requests = panel_.draw(session_, meters_, area.scale);
+    const PanelRequests requests = panel_.draw(session_, meters_);
     pointer_.draw_mark(area, session_);
     log_.end_controls();
     ui_.draw();
@@ -188,7 +211,7 @@ void Viewer::end_shown_frame()
     simulated_s_ = 0;
     simulated_frames_ = 0;
     --lively_frames_;
-    if (!options_.debug_context && !options_.log_actions) return;
+    if (!options_.debug_context && !kAsserts && !options_.log_actions) return;
     for (const std::string& error : take_gl_errors()) fmt::print(stderr, "view: OpenGL: {}\n", error);
 }
 
@@ -236,8 +259,8 @@ void Viewer::frame_all()
 {
     if (session_.went_bad()) return;
     const Diagnostics cloth = session_.simulation().diagnostics();
-    const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(pixels_.y);
-    frame_box(session_.view(), glm::vec3(cloth.lowest), glm::vec3(cloth.highest), aspect);
+    const glm::vec2 size = picture_area().size;
+    frame_box(session_.view(), glm::vec3(cloth.lowest), glm::vec3(cloth.highest), size.x / size.y);
     log_.action("framed all");
 }
 

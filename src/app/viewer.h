@@ -30,6 +30,7 @@ struct ViewerOptions
     bool vsync = true;
     bool paused = false;         // starts at rest
     bool debug_context = false;  // asks the driver for its own checks
+    bool quiet = false;          // no remarks on stderr
     bool log_actions = false;    // a line on stderr for each action and for the place of each control
     std::filesystem::path json;  // where the report of the session goes at its end; empty: none
 };

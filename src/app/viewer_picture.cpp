@@ -11,21 +11,23 @@
 
 namespace nuno {
 
-void ViewerPicture::draw(ViewerSession& session, glm::ivec2 pixels, StageTimes& stage_ms)
+void ViewerPicture::draw(ViewerSession& session, glm::ivec2 pixels, int covered, StageTimes& stage_ms)
 {
+    const glm::ivec2 size(std::max(pixels.x - covered, 1), pixels.y);
     Stopwatch watch;
     const double upload_before_ms = stage_ms.upload;
     const int samples = session.view().samples;
-    if (!target_ || target_->width() != pixels.x || target_->height() != pixels.y || target_samples_ != samples) {
-        target_.emplace(pixels.x, pixels.y, samples);
+    if (!target_ || target_->width() != size.x || target_->height() != size.y || target_samples_ != samples) {
+        target_.emplace(size.x, size.y, samples);
         target_samples_ = samples;
     }
-    session.draw({target_->id(), pixels.x, pixels.y}, stage_ms);
+    session.draw({target_->id(), size.x, size.y}, stage_ms);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, pixels.x, pixels.y, 0, 0, pixels.x, pixels.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glBlitFramebuffer(0, 0, size.x, size.y, pixels.x - size.x, 0, pixels.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     // The stage times are those of finished work.
     glFinish();
     stage_ms.render += watch.elapsed_ms() - (stage_ms.upload - upload_before_ms);
@@ -49,7 +51,7 @@ Picture read_window(glm::ivec2 pixels)
 std::filesystem::path write_photo(const Picture& picture)
 {
     for (int number = 1; number < 10000; ++number) {
-        const std::filesystem::path path = fmt::format("nuno_{:04}.png", number);
+        std::filesystem::path path = fmt::format("nuno_{:04}.png", number);
         std::error_code status;
         if (std::filesystem::exists(path, status)) continue;
         write_png(path, picture);

@@ -13,10 +13,7 @@ namespace {
 
 constexpr float kReach = 20;  // how far from the cloth it is still taken
 
-PickView pick_view(const ViewParams& view, glm::vec2 window_size)
-{
-    return {make_camera(view, window_size.x / window_size.y), window_size};
-}
+PickView pick_view(const ViewParams& view, glm::vec2 size) { return {make_camera(view, size.x / size.y), size}; }
 
 }  // namespace
 
@@ -26,7 +23,8 @@ void ViewerPointer::handle(const std::vector<PointerEvent>& events, const Pointe
         drag_.reset();
         motion_ = Motion::none;
     }
-    for (const PointerEvent& event : events) {
+    for (PointerEvent event : events) {
+        event.place -= area.corner;
         switch (event.kind) {
         case PointerEvent::Kind::press: press(event, area, session); break;
         case PointerEvent::Kind::release: release(event, session); break;
@@ -55,12 +53,12 @@ bool ViewerPointer::take_vertex(glm::vec2 place, const PointerArea& area, Viewer
 {
     Simulation& simulation = session.simulation();
     if (session.went_bad()) return false;
-    const PickView view = pick_view(session.view(), area.window_size);
+    const PickView view = pick_view(session.view(), area.size);
     const std::span<const glm::vec4> positions = simulation.state().positions;
     const auto vertex = pick_vertex(positions, simulation.model().faces, view, place, kReach * area.scale);
     if (!vertex) return false;
     const glm::vec3 position(positions[*vertex]);
-    drag_.emplace(*vertex, position, view.camera.forward, ray_through(view.camera, place, area.window_size));
+    drag_.emplace(*vertex, position, view.camera.forward, ray_through(view.camera, place, area.size));
     drag_start_count_ = session.start_count();
     simulation.hold_vertex(*vertex, drag_->target());
     log_.action("holding vertex {} at {:.4f} {:.4f} {:.4f}", *vertex, position.x, position.y, position.z);
@@ -74,11 +72,11 @@ void ViewerPointer::move(glm::vec2 place, const PointerArea& area, ViewerSession
     switch (motion_) {
     case Motion::none: break;
     case Motion::drag:
-        drag_->follow(ray_through(pick_view(session.view(), area.window_size).camera, place, area.window_size));
+        drag_->follow(ray_through(pick_view(session.view(), area.size).camera, place, area.size));
         session.simulation().hold_vertex(drag_->vertex(), drag_->target());
         break;
-    case Motion::orbit: orbit(session.view(), way, area.window_size.y); break;
-    case Motion::pan: pan(session.view(), way, area.window_size.y); break;
+    case Motion::orbit: orbit(session.view(), way, area.size.y); break;
+    case Motion::pan: pan(session.view(), way, area.size.y); break;
     }
 }
 
@@ -107,11 +105,12 @@ void ViewerPointer::log_camera(const ViewParams& view)
 void ViewerPointer::draw_mark(const PointerArea& area, ViewerSession& session) const
 {
     if (!drag_) return;
-    const auto place = project(pick_view(session.view(), area.window_size), drag_->target());
+    const auto place = project(pick_view(session.view(), area.size), drag_->target());
     if (!place) return;
+    const ImVec2 centre(area.corner.x + place->x, area.corner.y + place->y);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddCircle({place->x, place->y}, 7 * area.scale, IM_COL32(20, 20, 20, 200), 0, 3.5f * area.scale);
-    list.AddCircle({place->x, place->y}, 7 * area.scale, IM_COL32(255, 210, 90, 255), 0, 1.8f * area.scale);
+    list.AddCircle(centre, 7 * area.scale, IM_COL32(20, 20, 20, 200), 0, 3.5f * area.scale);
+    list.AddCircle(centre, 7 * area.scale, IM_COL32(255, 210, 90, 255), 0, 1.8f * area.scale);
 }
 
 }  // namespace nuno

@@ -13,12 +13,12 @@
 
 namespace nuno {
 
-// Where the mouse moves.
+// The part of the window that the picture fills.
 struct PointerArea
 {
-    glm::vec2 window_size;  // in window coordinates
-    float scale;            // window coordinates for each unit of the layout
-    bool on_panel;          // what is pressed now belongs to the panel
+    glm::vec2 corner, size;  // in window coordinates
+    float scale;             // window coordinates for each unit of the layout
+    bool on_panel;           // what is pressed now belongs to the panel
 };
 
 class ViewerPointer

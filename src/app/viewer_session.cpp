@@ -114,7 +114,7 @@ std::vector<FrameStats> ViewerSession::step()
 {
     if (went_bad_) return {};
     paused_ = true;
-    const std::vector<FrameStats> frames = run([&] { return std::vector{simulation_->advance_frame()}; });
+    std::vector<FrameStats> frames = run([&] { return std::vector{simulation_->advance_frame()}; });
     if (record_)
         for (const FrameStats& frame : frames) recorder_.add(frame, simulation_->diagnostics());
     log_.action("stepped");

@@ -42,8 +42,7 @@ std::string describe_any_context()
     glfwMakeContextCurrent(probe);
     const auto get_string = reinterpret_cast<PFNGLGETSTRINGPROC>(glfwGetProcAddress("glGetString"));
     const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(get_string(name)); };
-    const std::string found =
-        get_string ? fmt::format("version {} of {}", text(GL_VERSION), text(GL_RENDERER)) : "no OpenGL";
+    std::string found = get_string ? fmt::format("version {} of {}", text(GL_VERSION), text(GL_RENDERER)) : "no OpenGL";
     glfwDestroyWindow(probe);
     return found;
 }
