@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
-#include <sstream>
 
 #include "meta/markdown.h"
 #include "meta/tree.h"
@@ -23,14 +23,30 @@ bool names(std::string_view page, std::string_view word)
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-TEST(Docs, every_link_leads_to_a_file)
+// Whether a page has a heading whose anchor is `anchor`: its letters and digits in lower case, a hyphen for each space.
+bool has_heading(const std::string& page, std::string_view anchor)
+{
+    const std::vector<Section> parts = sections(page);
+    return std::any_of(parts.begin(), parts.end(), [&](const Section& section) {
+        std::string name;
+        for (const unsigned char letter : section.heading)
+            if (std::isalnum(letter) || letter == ' ' || letter == '-')
+                name += letter == ' ' ? '-' : std::tolower(letter);
+        return name == anchor;
+    });
+}
+
+TEST(Docs, every_link_leads_to_a_file_and_a_heading)
 {
     int count = 0;
     for (const std::string& page : pages())
         for (const std::string& link : relative_links(read_file(page))) {
             ++count;
-            const fs::path target = fs::path(root()) / fs::path(page).parent_path() / link.substr(0, link.find('#'));
-            EXPECT_TRUE(fs::exists(target)) << page << " links to " << link;
+            const std::size_t mark = link.find('#');
+            const fs::path target = fs::path(page).parent_path() / link.substr(0, mark);
+            ASSERT_TRUE(fs::exists(fs::path(root()) / target)) << page << " links to " << link;
+            if (mark == link.npos) continue;
+            EXPECT_TRUE(has_heading(read_file(target.string()), link.substr(mark + 1))) << page << " links to " << link;
         }
     EXPECT_GT(count, 20);
 }
@@ -99,7 +115,7 @@ TEST(Docs, the_example_scene_runs)
         ++count;
         const std::string path = directory.write("example.toml", block).string();
         const ProgramResult run =
-            run_program({"render", path, "--frames", "3", "--no-images", "--backend", "cpu", "--quiet"});
+            run_program({"render", path, "--frames", "120", "--no-images", "--backend", "cpu", "--quiet"});
         EXPECT_EQ(run.exit_code, 0) << block << run.err;
         EXPECT_EQ(run.err, "");
     }
