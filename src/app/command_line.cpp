@@ -42,7 +42,8 @@ void apply_set(SceneRun& run, const std::string& set)
 void add_common_flags(CLI::App& command, CommonFlags& flags)
 {
     command.add_option("--set", flags.sets, "Set a parameter: NAME=VALUE, repeatable (nuno params lists them)")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->type_name("NAME=VALUE");
     command.add_option("--method", flags.method, "Time integration");
     command.add_option("--backend", flags.backend, "cpu or gpu");
     command.add_option("--collision", flags.collision, "Level of self-collision");

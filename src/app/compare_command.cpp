@@ -20,7 +20,7 @@ void add_compare_flags(CLI::App& command, CompareFlags& flags)
 {
     command.add_option("scenes", flags.scenes, "Scenes; none: all of `nuno scenes`");
     add_common_flags(command, flags.common);
-    command.add_option("--out", flags.out, "Directory for compare.json and the picture");
+    command.add_option("--out", flags.out, "Directory for compare.json and the picture")->capture_default_str();
 }
 
 int run_compare(const CompareFlags& flags)
@@ -44,8 +44,7 @@ int run_compare(const CompareFlags& flags)
 
     const bool software = machine.gl()->software;
     fmt::print("{}", compare_table(points, software));
-    const MachineInfo info =
-        machine.info(ThreadPool(flags.common.threads.empty() ? 0 : std::stoi(flags.common.threads)).thread_count());
+    const MachineInfo info = machine.info(ThreadPool(runs.front().second.threads).thread_count());
     const nlohmann::ordered_json json = {{"program", {{"name", "nuno"}, {"version", kVersion}, {"commit", kCommit}}},
                                          {"machine", machine_json(info)},
                                          {"points", compare_json(points)}};

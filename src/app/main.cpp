@@ -17,6 +17,9 @@ int run(int argc, char** argv)
     CLI::App program("nuno: cloth in real time on OpenGL 4.3, in a window and without one", "nuno");
     program.set_version_flag("--version", fmt::format("nuno {} ({})", nuno::kVersion, nuno::kCommit));
     program.require_subcommand(1);
+    program.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return fmt::format("nuno: {}; `nuno --help` and `nuno COMMAND --help` list what is possible\n", error.what());
+    });
     int status = 0;
 
     nuno::ViewFlags view;

@@ -63,12 +63,17 @@ void Panel::lay_out(glm::vec2 size, float scale)
 PanelRequests Panel::draw(ViewerSession& session, ViewerMeters& meters)
 {
     PanelRequests requests;
+    places_.clear();
     if (visible) {
         requests = draw_side(session);
         draw_cost(session, meters);
     }
     draw_messages(session);
-    if (help) draw_help(help);
+    if (help) {
+        begin_help(help);
+        note_place();
+        ImGui::End();
+    }
     return requests;
 }
 
@@ -84,6 +89,7 @@ PanelRequests Panel::draw_side(ViewerSession& session)
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("side", nullptr, flags);
     ImGui::PopStyleVar();
+    note_place();
     width_ = ImGui::GetWindowWidth();
     draw_scene_list(session);
     requests = draw_buttons(session);
@@ -109,6 +115,7 @@ void Panel::draw_cost(const ViewerSession& session, ViewerMeters& meters)
     ImGui::SetNextWindowSize({width, 0});
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin("Cost", nullptr, flags)) draw_cost_panel(session, meters, log_, scale_);
+    note_place();
     ImGui::End();
 }
 
@@ -158,13 +165,17 @@ PanelRequests Panel::draw_buttons(ViewerSession& session)
 void Panel::draw_messages(ViewerSession& session)
 {
     if (session.error().empty() && !session.stability_warning() && notice.empty()) return;
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                   ImGuiWindowFlags_NoNav;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                             ImGuiWindowFlags_NoNav;
     const float left = covered_width(), margin = kMargin * scale_;
     ImGui::SetNextWindowPos({(left + size_.x) / 2, size_.y - margin}, ImGuiCond_Always, {0.5f, 1});
     ImGui::SetNextWindowSize({std::clamp(size_.x - left - 2 * margin, 200 * scale_, 600 * scale_), 0});
+    // News alone has no buttons, and lets the mouse through.
+    const bool has_buttons = !session.error().empty() || session.stability_warning();
+    if (!has_buttons) flags |= ImGuiWindowFlags_NoMouseInputs;
     ImGui::Begin("messages", nullptr, flags);
+    if (has_buttons) note_place();
     if (!session.error().empty()) {
         text_line({1.0f, 0.45f, 0.42f, 1}, session.error());
         if (session.went_bad() ? message_button("Restart") : message_button("Dismiss"))
@@ -179,6 +190,20 @@ void Panel::draw_messages(ViewerSession& session)
     }
     if (!notice.empty()) text_line({0.56f, 0.80f, 0.60f, 1}, notice);
     ImGui::End();
+}
+
+void Panel::note_place()
+{
+    const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const float edge = 4;  // around a window, by which ImGui lets it be resized
+    places_.emplace_back(corner.x - edge, corner.y - edge, corner.x + size.x + edge, corner.y + size.y + edge);
+}
+
+bool Panel::covers(glm::vec2 place) const
+{
+    return std::any_of(places_.begin(), places_.end(), [&](const glm::vec4& p) {
+        return place.x >= p.x && place.y >= p.y && place.x < p.z && place.y < p.w;
+    });
 }
 
 bool Panel::message_button(const std::string& text)

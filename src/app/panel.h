@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include "app/panel_params.h"
 #include "app/stage_graph.h"
@@ -45,6 +46,8 @@ class Panel
     void lay_out(glm::vec2 size, float scale);
     // Width of the side panel, which hides what is under it [window coordinates].
     float covered_width() const { return visible ? width_ : 0; }
+    // Whether a panel lay over this place in the last frame.
+    bool covers(glm::vec2 place) const;
 
     PanelRequests draw(ViewerSession& session, ViewerMeters& meters);
 
@@ -56,19 +59,22 @@ class Panel
     void draw_parameters(ViewerSession& session);
     void draw_messages(ViewerSession& session);
     bool message_button(const std::string& text);
+    void note_place();
 
     ViewerLog& log_;
     ParamPanel params_;
     std::vector<std::string> scenes_;  // of the list, read each time it is opened
     glm::vec2 size_{0};                // of the window
     float scale_ = 0, width_ = 0;
-    bool place_again_ = true;  // the window's size or the scale has changed
+    std::vector<glm::vec4> places_;  // left, top, right, bottom of each panel of the last frame
+    bool place_again_ = true;        // the window's size or the scale has changed
 };
 
 // The contents of the window with the cost.
 void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale);
 
-// The list of keys and mouse movements, in the middle; `open` becomes false where it was closed.
-void draw_help(bool& open);
+// Begins the window in the middle that lists keys and mouse movements, and fills it; the caller ends it. `open` becomes false
+// where it is closed.
+void begin_help(bool& open);
 
 }  // namespace nuno

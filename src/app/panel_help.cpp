@@ -39,7 +39,7 @@ void draw_lines(const char* title, std::span<const Line> lines)
 
 }  // namespace
 
-void draw_help(bool& open)
+void begin_help(bool& open)
 {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -50,7 +50,6 @@ void draw_help(bool& open)
         ImGui::Separator();
         draw_lines("mouse", kMouse);
     }
-    ImGui::End();
 }
 
 }  // namespace nuno

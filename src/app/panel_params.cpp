@@ -46,16 +46,17 @@ std::optional<double> draw_real(const ParamInfo& info, double value)
     return ImGui::IsMouseDown(ImGuiMouseButton_Left) ? rounded_by_slider(info, edited) : double(edited);
 }
 
+// In 64 bits: ImGui's sliders refuse a range wider than half of what their type holds.
 std::optional<double> draw_integer(const ParamInfo& info, double value)
 {
-    auto edited = static_cast<std::int32_t>(value);
-    const auto least = static_cast<std::int32_t>(info.min), most = static_cast<std::int32_t>(info.max);
-    const std::string format = info.unit.empty() ? "%d" : fmt::format("%d {}", info.unit);
+    auto edited = static_cast<std::int64_t>(value);
+    const auto least = static_cast<std::int64_t>(info.min), most = static_cast<std::int64_t>(info.max);
+    const std::string format = info.unit.empty() ? "%lld" : fmt::format("%lld {}", info.unit);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (is_logarithmic(info)) flags |= ImGuiSliderFlags_Logarithmic;
-    if (!ImGui::SliderScalar("##value", ImGuiDataType_S32, &edited, &least, &most, format.c_str(), flags))
+    if (!ImGui::SliderScalar("##value", ImGuiDataType_S64, &edited, &least, &most, format.c_str(), flags))
         return std::nullopt;
-    return edited;
+    return static_cast<double>(edited);
 }
 
 std::optional<double> draw_boolean(double value)

@@ -38,54 +38,93 @@ ExitCode report_check(const SceneRun& run, const RunMetrics& metrics, bool quiet
 {
     const std::vector<std::string> failures = failed_bounds(run.scene.check, metrics);
     for (const std::string& failure : failures) fmt::print(stderr, "nuno: end check failed: {}\n", failure);
-    if (failures.empty() && !quiet)
-        fmt::print(stderr, "{}: end check holds ({} contacts, {} passed through)\n", run.scene.name, metrics.contacts,
-                   metrics.passed_through);
+    if (failures.empty() && !quiet) {
+        const std::string through =
+            run.params.count_pass_through ? fmt::format(", {} passed through", metrics.passed_through) : std::string();
+        fmt::print(stderr, "{}: end check holds ({} contacts{})\n", run.scene.name, metrics.contacts, through);
+    }
     return failures.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
+// Why the end check of a scene that has one does not apply; empty where it does.
+std::string why_unchecked(const RenderFlags& flags, const SceneRun& run)
+{
+    if (!run.check_applies) return "a flag changed what it was written for";
+    if (flags.frames < run.scene.check.frames) return fmt::format("it applies at frame {}", run.scene.check.frames);
+    return {};
 }
 
 struct RunResult
 {
     ExitCode code = ExitCode::done;
     RunRecorder recorder;
+    std::optional<Error> went_bad;  // with what came before it recorded
 };
 
-// Simulates and writes frame after frame; stops early, with all files whole, when interrupted.
+// Simulates and writes one frame.
+void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulation& simulation, FrameOutput& output,
+               RunResult& result)
+{
+    FrameStats stats;
+    if (frame > 0) stats = simulation.advance_frame();
+    if (frame % flags.every == 0) output.write(simulation, stats.stage_ms);
+    if (!flags.common.json.empty() || (run.check_applies && run.scene.check.frames > 0))
+        result.recorder.add(stats, simulation.diagnostics());
+    if (run.check_applies && frame + 1 == run.scene.check.frames)
+        result.code = report_check(run, result.recorder.metrics(), flags.common.quiet);
+}
+
+// Frame after frame; ends early, with all files whole, when interrupted or when the simulation goes bad.
 RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& simulation, FrameOutput& output)
 {
     RunResult result;
-    const bool measured = !flags.common.json.empty() || (run.check_applies && run.scene.check.frames > 0);
     Progress progress(run.scene.name, flags.frames, flags.common.quiet);
     for (int frame = 0; frame < flags.frames; ++frame) {
         if (interrupted()) {
             result.code = ExitCode::interrupted;
             break;
         }
-        FrameStats stats;
-        if (frame > 0) stats = simulation.advance_frame();
-        if (frame % flags.every == 0) output.write(simulation, stats.stage_ms);
-        if (measured) result.recorder.add(stats, simulation.diagnostics());
-        if (run.check_applies && frame + 1 == run.scene.check.frames)
-            result.code = report_check(run, result.recorder.metrics(), flags.common.quiet);
+        try {
+            run_frame(flags, run, frame, simulation, output, result);
+        } catch (const Error& error) {
+            if (error.code() != ExitCode::went_bad) throw;
+            result.went_bad = error;
+            break;
+        }
         progress.show(frame + 1);
     }
     output.finish();
     return result;
 }
 
+// What the user should know before a long run.
+void remark(const RenderFlags& flags, const SceneRun& run, const Machine& machine, const Simulation& simulation)
+{
+    if (flags.common.quiet) return;
+    machine.remark_on_backend(simulation);
+    if (const auto warning = simulation.stability_warning()) fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
+    const std::string reason = why_unchecked(flags, run);
+    if (run.scene.check.frames > 0 && !reason.empty())
+        fmt::print(stderr, "{}: the end check is left out; {}\n", run.scene.name, reason);
+}
+
 }  // namespace
 
 void add_render_flags(CLI::App& command, RenderFlags& flags)
 {
-    command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file");
+    command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file")
+        ->capture_default_str();
     add_common_flags(command, flags.common);
     command.add_option("--frames", flags.frames, "Number of frames; frame 0 is the start")
+        ->capture_default_str()
         ->check(CLI::Range(1, 100000000));
     command.add_option("--out", flags.out, "Directory for frame_00000.png, mesh_00000.obj, ...");
     command.add_option("--mesh", flags.mesh, "Write meshes too")->check(CLI::IsMember({"obj", "ply", "none"}));
     command.add_option("--pc2", flags.pc2, "Write a PC2 point cache of the frames to FILE");
     command.add_option("--video", flags.video, "Write a video to FILE, such as cloth.mp4; needs ffmpeg");
-    command.add_option("--every", flags.every, "Write every K-th frame")->check(CLI::Range(1, 100000000));
+    command.add_option("--every", flags.every, "Write every K-th frame")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000000));
     command.add_option("--size", flags.size, "Size of the pictures, WxH");
     command.add_flag("--no-images", flags.no_images, "Write no pictures");
 }
@@ -97,10 +136,7 @@ int run_render(const RenderFlags& flags)
     const OutputPlan plan = plan_output(flags);
     const Machine machine(plan.draws() || run.params.backend == Backend::gpu);
     Simulation simulation(run.scene, run.params);
-    if (!flags.common.quiet) {
-        machine.remark_on_backend(simulation);
-        if (const auto warning = simulation.stability_warning()) fmt::print(stderr, "{}\n", *warning);
-    }
+    remark(flags, run, machine, simulation);
     FrameOutput output(plan, simulation, run.view);
     watch_interrupts();
     const RunResult result = run_frames(flags, run, simulation, output);
@@ -110,6 +146,7 @@ int run_render(const RenderFlags& flags)
             flags.common.json,
             make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view).dump(1) + "\n");
     }
+    if (result.went_bad) throw *result.went_bad;
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
     return static_cast<int>(result.code);
 }

@@ -7,7 +7,8 @@ namespace nuno {
 
 void add_view_flags(CLI::App& command, ViewFlags& flags)
 {
-    command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file");
+    command.add_option("scene", flags.common.scene, "A scene of `nuno scenes`, or the path of a .toml file")
+        ->capture_default_str();
     add_common_flags(command, flags.common);
     command.add_option("--size", flags.size, "Size of the window, WxH");
     command.add_flag("--paused", flags.paused, "Start at rest");

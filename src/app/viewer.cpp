@@ -190,7 +190,8 @@ void Viewer::show(const WindowInput& input)
 PointerArea Viewer::picture_area() const
 {
     const glm::vec2 corner(std::round(panel_.covered_width()), 0);
-    return {corner, glm::max(glm::vec2(window_.size()) - corner, 1.0f), ui_.scale(), ui_.wants_pointer()};
+    return {corner, glm::max(glm::vec2(window_.size()) - corner, 1.0f), ui_.scale(),
+            [this](glm::vec2 place) { return ui_.wants_keys() || panel_.covers(place); }};
 }
 
 void Viewer::draw_panel(const PointerArea& area)

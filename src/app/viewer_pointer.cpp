@@ -24,13 +24,16 @@ void ViewerPointer::handle(const std::vector<PointerEvent>& events, const Pointe
         motion_ = Motion::none;
     }
     for (PointerEvent event : events) {
+        const bool on_panel = area.is_on_panel(event.place);
         event.place -= area.corner;
         switch (event.kind) {
-        case PointerEvent::Kind::press: press(event, area, session); break;
+        case PointerEvent::Kind::press:
+            if (!on_panel) press(event, area, session);
+            break;
         case PointerEvent::Kind::release: release(event, session); break;
         case PointerEvent::Kind::move: move(event.place, area, session); break;
         case PointerEvent::Kind::scroll:
-            if (area.on_panel) break;
+            if (on_panel) break;
             zoom(session.view(), event.steps);
             log_camera(session.view());
             break;
@@ -40,7 +43,7 @@ void ViewerPointer::handle(const std::vector<PointerEvent>& events, const Pointe
 
 void ViewerPointer::press(const PointerEvent& event, const PointerArea& area, ViewerSession& session)
 {
-    if (area.on_panel || busy()) return;
+    if (busy()) return;
     button_ = event.button;
     last_place_ = event.place;
     if (button_ != GLFW_MOUSE_BUTTON_LEFT)

@@ -1,6 +1,7 @@
 // What the mouse does to the picture: drags a vertex of the cloth, or moves the camera.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct PointerArea
 {
     glm::vec2 corner, size;  // in window coordinates
     float scale;             // window coordinates for each unit of the layout
-    bool on_panel;           // what is pressed now belongs to the panel
+    // Whether what is pressed at a place of the window belongs to the panel.
+    std::function<bool(glm::vec2)> is_on_panel;
 };
 
 class ViewerPointer

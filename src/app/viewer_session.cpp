@@ -180,7 +180,11 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
 {
     Stopwatch watch;
     GLuint positions = simulation_->position_buffer();
-    if (positions == 0) positions = picture_->upload_positions(simulation_->state().positions);
+    // Numbers that are none, or huge, are nothing to look at: faces of one point leave the cloth out.
+    if (went_bad_)
+        positions = picture_->upload_positions(std::vector<glm::vec4>(simulation_->model().vertex_count()));
+    else if (positions == 0)
+        positions = picture_->upload_positions(simulation_->state().positions);
     stage_ms.upload += watch.elapsed_ms();
     picture_->draw(view_, positions, simulation_->scene().colliders, viewport);
 }

@@ -146,10 +146,10 @@ void ViewerUi::begin_frame(std::span<const KeyEvent> keys)
 void ViewerUi::draw()
 {
     ImGui::Render();
+    // The backend puts back the program that was in use; a change of scene on the panel may have deleted it.
+    glUseProgram(0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
-
-bool ViewerUi::wants_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
 bool ViewerUi::wants_keys() const
 {

@@ -17,14 +17,14 @@ class ViewerUi
     ViewerUi(const ViewerUi&) = delete;
     ViewerUi& operator=(const ViewerUi&) = delete;
 
-    // Starts a frame of the panel with the keys that went down since the last: from here on the wants_ functions answer for it.
+    // Starts a frame of the panel with the keys that went down since the last: from here on wants_keys() answers for it.
     void begin_frame(std::span<const KeyEvent> keys);
     // Draws what was described since into the window's framebuffer.
     void draw();
 
     // Window coordinates for each unit of a layout meant for content scale 1.
     float scale() const { return scale_; }
-    bool wants_pointer() const;
+    // A text is being typed, or a list is open.
     bool wants_keys() const;
 
   private:

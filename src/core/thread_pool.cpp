@@ -8,7 +8,9 @@
 namespace nuno {
 namespace {
 
-constexpr int kSpins = 4000;
+// Pauses of some tens of nanoseconds each before a waiting thread gives its core away: long enough for the substep of a neighbour that
+// runs, short enough not to hold up one that does not, because something else has its core.
+constexpr int kSpins = 300;
 
 // One turn of a waiting loop: burn a moment while the wait is short, give the core away when it is not.
 void wait_a_moment(int turn)

@@ -30,6 +30,7 @@ fs::path beside(const fs::path& scene_path, const std::string& text)
 void read_pins(TomlTable& table, SheetSpec& sheet)
 {
     const toml::array* pins = table.array("pins");
+    sheet.pins_where = table.where("pins");
     if (!pins) return;
     for (const toml::node& pin : *pins) {
         if (const auto place = pin.value_exact<std::string>())
@@ -115,6 +116,7 @@ EndCheck read_check(TomlTable table)
 template <class Read>
 void for_each_table(TomlTable& file, const std::string& path, std::string_view key, Read read)
 {
+    if (file.is_table(key)) file.fail(key, fmt::format("written as [[{}]], for there may be several", key));
     const toml::array* list = file.array(key);
     if (!list) return;
     for (const toml::node& node : *list) {

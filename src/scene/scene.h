@@ -24,6 +24,7 @@ struct SheetSpec
     int pleats = 0;                       // strips that the start is folded into, accordion-wise; 0: it starts flat
     float pleat_angle = 60;               // tilt of a strip [degrees]
     std::filesystem::path mesh;           // an OBJ file, where it is no grid
+    std::string pins_where;               // file and line of the pins
     std::vector<std::string> pin_places;  // top_left, top, left, top@0.25, ... of a grid
     std::vector<std::uint32_t> pin_vertices;
     std::filesystem::path texture;  // empty: none

@@ -23,6 +23,9 @@ struct GridSize
 GridSize grid_size(const SheetSpec& sheet, int resolution)
 {
     if (resolution == 0) return {sheet.columns, sheet.rows};
+    if (resolution == 1)
+        throw Error(fmt::format("{}: resolution = 1 is no grid; give 2 or more vertices, or 0 for the scene's own",
+                                sheet.where));
     const auto scaled = [&](int side) {
         const double cells = double(side - 1) / double(std::max(sheet.columns, sheet.rows) - 1) * (resolution - 1);
         return std::max(2, static_cast<int>(std::lround(cells)) + 1);
@@ -48,12 +51,15 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
     const std::string_view name = text.substr(0, mark);
     const double part = mark == text.npos ? 0 : parse_number(text.substr(mark + 1)).value_or(-1);
     if (!(part >= 0 && part <= 1))
-        throw Error(
-            fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1", sheet.where, text));
+        throw Error(fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1",
+                                sheet.pins_where, text));
     std::vector<std::string_view> names;
     for (Place p : places) {
         names.push_back(p.name);
         if (p.name != name) continue;
+        if (mark != text.npos && p.i0 == p.i1 && p.j0 == p.j1)
+            throw Error(fmt::format("{}: pin {}: {} is a corner, which has no parts; @ goes after an edge",
+                                    sheet.pins_where, text, name));
         if (mark != text.npos && p.i0 != p.i1) p.i0 = p.i1 = part;
         if (mark != text.npos && p.j0 != p.j1) p.j0 = p.j1 = part;
         for (int j = at_part(p.j0, size.rows); j <= at_part(p.j1, size.rows); ++j)
@@ -63,7 +69,7 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
     }
     throw Error(fmt::format(
         "{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge",
-        sheet.where, name, nearest_name(name, names), join_choices(names)));
+        sheet.pins_where, name, nearest_name(name, names), join_choices(names)));
 }
 
 // Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle against the flat
@@ -104,7 +110,7 @@ std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params
             source.mesh = load_obj(sheet.mesh);
             if (!sheet.pin_places.empty())
                 throw Error(fmt::format("{}: pin {} is a place of a grid; a mesh is pinned by vertex numbers",
-                                        sheet.where, sheet.pin_places.front()));
+                                        sheet.pins_where, sheet.pin_places.front()));
         }
         source.pins.insert(source.pins.end(), sheet.pin_vertices.begin(), sheet.pin_vertices.end());
         sources.push_back(std::move(source));

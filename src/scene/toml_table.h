@@ -18,7 +18,7 @@ class TomlTable
   public:
     TomlTable(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
 
-    bool has(std::string_view key) const { return table_.contains(key); }
+    bool is_table(std::string_view key) const { return table_[key].is_table(); }
     // "file:line" of a key, or of the table itself.
     std::string where(std::string_view key = {}) const;
 

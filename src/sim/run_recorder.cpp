@@ -53,15 +53,20 @@ Json summary_json(const RunRecorder& recorder, Simulation& simulation)
     Json stages;
     const auto add_stage = [&](std::string_view name, auto ms_of) {
         std::vector<double> ms;
-        for (const FrameRecord& record : recorder.frames()) ms.push_back(ms_of(record.stats.stage_ms));
+        // The start, frame 0, simulates nothing.
+        for (const FrameRecord& record : recorder.frames())
+            if (record.stats.frame > 0) ms.push_back(ms_of(record.stats.stage_ms));
         stages[name] = {{"median", quantile(ms, 0.5)}, {"p95", quantile(ms, 0.95)}};
     };
     for (const StageInfo& stage : kStages) add_stage(stage.name, [&](const StageTimes& t) { return t.*stage.ms; });
     add_stage("simulation", simulation_ms);
     const RunMetrics metrics = recorder.metrics();
-    return {{"frames", recorder.frames().size()},         {"stage_ms", stages},
-            {"worst_strain", metrics.peak_strain},        {"total_contacts", metrics.contacts},
-            {"total_unresolved", metrics.passed_through}, {"state_hash", hash_text(simulation.state())}};
+    return {{"frames", recorder.frames().size()},
+            {"stage_ms", stages},
+            {"worst_strain", metrics.peak_strain},
+            {"total_contacts", static_cast<std::uint64_t>(metrics.contacts)},
+            {"total_unresolved", static_cast<std::uint64_t>(metrics.passed_through)},
+            {"state_hash", hash_text(simulation.state())}};
 }
 
 }  // namespace

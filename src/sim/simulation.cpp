@@ -194,8 +194,8 @@ std::optional<std::string> Simulation::stability_warning() const
     const std::string advice = substeps > 0
                                    ? fmt::format("--set substeps={} holds", substeps)
                                    : std::string("no number of substeps holds; more damping or softer springs would");
-    return fmt::format("{}: substep {:.3g} s is longer than the {:.3g} s up to which {} is stable; {}", scene_.name,
-                       substep_s(params_), limit_s, method, advice);
+    return fmt::format("substep {:.4g} s is longer than the {:.4g} s up to which {} is stable; {}", substep_s(params_),
+                       limit_s, method, advice);
 }
 
 void Simulation::check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const

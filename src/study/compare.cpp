@@ -144,8 +144,10 @@ std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, Si
 bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl)
 {
     return std::all_of(points.begin(), points.end(), [&](const ComparePoint& p) {
-        if (software_gl) return p.substep_hashes_agree && p.frame_hashes_agree;
-        return p.largest_difference_m[0] >= 0 && p.largest_difference_m[0] <= 1e-5;
+        const bool finite =
+            std::all_of(p.largest_difference_m.begin(), p.largest_difference_m.end(), [](double d) { return d >= 0; });
+        if (software_gl) return finite && p.substep_hashes_agree && p.frame_hashes_agree;
+        return finite && p.largest_difference_m[0] <= 1e-5;
     });
 }
 

@@ -45,7 +45,8 @@ using CompareProgress = std::function<bool(int done, int total, const std::strin
 std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
                                            const CompareProgress& progress);
 
-// True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep elsewhere.
+// True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep elsewhere;
+// and where every number is finite.
 bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl);
 
 std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl);

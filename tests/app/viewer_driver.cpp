@@ -82,7 +82,9 @@ void ViewerDriver::resize(int width, int height)
 int ViewerDriver::quit()
 {
     key("q");
-    return program_->wait_for_exit(kPatienceS);
+    const int code = program_->wait_for_exit(kPatienceS);
+    EXPECT_EQ(program_->transcript().find("view: OpenGL"), std::string::npos) << program_->transcript();
+    return code;
 }
 
 }  // namespace nuno

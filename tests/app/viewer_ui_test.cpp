@@ -16,7 +16,7 @@ namespace nuno {
 namespace {
 
 // A place of the default window (1280 x 720) where the start of the scene `seed` has cloth, and one where there is only floor.
-constexpr int kClothX = 600, kClothY = 300, kFloorX = 900, kFloorY = 660;
+constexpr int kClothX = 800, kClothY = 300, kFloorX = 1150, kFloorY = 660;
 
 std::string steps(int count)
 {
@@ -140,7 +140,9 @@ TEST_F(ViewerTest, the_wheel_zooms_over_the_picture_and_not_over_the_panel)
 {
     ViewerDriver viewer({"seed", "--paused"});
     const ControlPlace group = viewer.control("group start");
-    viewer.click(group.x(), group.y() + 2 * group.height, 5);
+    viewer.click(group.x(), group.y(), 5);
+    viewer.key("n");
+    viewer.wait_for("stepped");
     viewer.click(kFloorX, kFloorY, 4);
     EXPECT_NEAR(std::stod(viewer.wait_for("camera .* distance (\\S+)").groups[1]), 2.6 * 0.9, 0.01);
     EXPECT_EQ(viewer.quit(), 0);

@@ -99,8 +99,8 @@ std::vector<std::string> RunningProgram::wait_for(const std::string& pattern, do
         for (std::smatch match; next_line_ < lines_.size();)
             if (std::regex_search(lines_[next_line_++], match, wanted)) return groups_of(match);
         if (!open || seconds_until(deadline) <= 0)
-            throw std::runtime_error("no line '" + pattern + "' " + (open ? "in time" : "before the end") + "; it said:\n" +
-                                     transcript());
+            throw std::runtime_error("no line '" + pattern + "' " + (open ? "in time" : "before the end") +
+                                     "; it said:\n" + transcript());
         open = read_more(seconds_until(deadline));
     }
 }
@@ -143,6 +143,9 @@ std::string run_shell(const std::string& command)
     return output;
 }
 
-bool has_program(const std::string& name) { return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0; }
+bool has_program(const std::string& name)
+{
+    return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
 
 }  // namespace nuno
