@@ -44,12 +44,13 @@ void add_common_flags(CLI::App& command, CommonFlags& flags)
     command.add_option("--set", flags.sets, "Set a parameter: NAME=VALUE, repeatable (nuno params lists them)")
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
-    command.add_option("--method", flags.method, "Time integration");
-    command.add_option("--backend", flags.backend, "cpu or gpu");
-    command.add_option("--collision", flags.collision, "Level of self-collision");
-    command.add_option("--threads", flags.threads, "CPU threads, 0 for one a core");
-    command.add_option("--seed", flags.seed, "Random seed of the start; 0 starts exactly as the scene says");
-    command.add_option("--json", flags.json, "Write the report to FILE");
+    command.add_option("--method", flags.method, "Time integration")->take_last();
+    command.add_option("--backend", flags.backend, "cpu or gpu")->take_last();
+    command.add_option("--collision", flags.collision, "Level of self-collision")->take_last();
+    command.add_option("--threads", flags.threads, "CPU threads, 0 for one a core")->take_last();
+    command.add_option("--seed", flags.seed, "Random seed of the start; 0 starts exactly as the scene says")
+        ->take_last();
+    command.add_option("--json", flags.json, "Write the report to FILE")->take_last();
     command.add_flag("--hash", flags.hash, "Print the hash of the final state as the last line");
     command.add_flag("--quiet", flags.quiet, "No progress and no remarks");
 }
@@ -62,6 +63,8 @@ SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name)
         const ParamInfo* info = find_param(view_param_table(), setting.name);
         const ParamTable table = view_param_table();
         if (!info) throw_unknown_param(setting.name, std::span(&table, 1), setting.where);
+        if (setting.quoted != (info->type == ParamType::choice))
+            throw Error(fmt::format("{}: {} must be {}", setting.where, info->name, param_range_text(*info)));
         set_param_text(*info, &run.view, setting.text, setting.where);
     }
     for (const std::string& set : flags.sets) apply_set(run, set);

@@ -32,18 +32,22 @@ int run_compare(const CompareFlags& flags)
     }
     const std::filesystem::path out = flags.out;
     make_writable_directory(out);
+    if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const Machine machine(true);
     watch_interrupts();
     std::optional<Progress> progress;
-    const std::vector<ComparePoint> points = compare_backends(runs, [&](int done, int total, const std::string&) {
-        if (!progress) progress.emplace("compare", total, flags.common.quiet);
-        progress->show(done);
-        return !interrupted();
-    });
+    const std::vector<ComparePoint> points =
+        compare_backends(runs, kComparedSizes, [&](int done, int total, const std::string&) {
+            if (!progress) progress.emplace("compare", total, flags.common.quiet);
+            progress->show(done);
+            return !interrupted();
+        });
     progress.reset();
 
     const bool software = machine.gl()->software;
     fmt::print("{}", compare_table(points, software));
+    for (const ComparePoint& point : points)
+        if (!point.failure.empty()) fmt::print(stderr, "nuno: {}\n", point.failure);
     const MachineInfo info = machine.info(ThreadPool(runs.front().second.threads).thread_count());
     const nlohmann::ordered_json json = {{"program", {{"name", "nuno"}, {"version", kVersion}, {"commit", kCommit}}},
                                          {"machine", machine_json(info)},

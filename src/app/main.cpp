@@ -2,24 +2,46 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/compare_command.h"
 #include "app/list_commands.h"
 #include "app/render_command.h"
 #include "app/view_command.h"
 #include "core/error.h"
+#include "core/text.h"
 #include "core/version.h"
 
 namespace {
+
+// What is wrong with the words, and the nearest command where the first one is none.
+std::string usage_message(const CLI::App& program, int argc, char** argv, const CLI::Error& error)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view word = argc > 1 ? argv[1] : "";
+    if (word.empty()) return fmt::format("nuno: a command is missing; give {}\n", nuno::join_choices(views));
+    if (word[0] != '-' && std::find(views.begin(), views.end(), word) == views.end())
+        return fmt::format("nuno: {} is no command; the nearest is {}; possible are {}\n", word,
+                           nuno::nearest_name(word, views), nuno::join_choices(views));
+    return fmt::format("nuno: {}; `nuno --help` and `nuno COMMAND --help` list what is possible\n", error.what());
+}
 
 int run(int argc, char** argv)
 {
     CLI::App program("nuno: cloth in real time on OpenGL 4.3, in a window and without one", "nuno");
     program.set_version_flag("--version", fmt::format("nuno {} ({})", nuno::kVersion, nuno::kCommit));
     program.require_subcommand(1);
-    program.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return fmt::format("nuno: {}; `nuno --help` and `nuno COMMAND --help` list what is possible\n", error.what());
-    });
+    program.failure_message(
+        [&](const CLI::App*, const CLI::Error& error) { return usage_message(program, argc, argv, error); });
     int status = 0;
 
     nuno::ViewFlags view;
@@ -53,15 +75,23 @@ int run(int argc, char** argv)
 
 }  // namespace
 
+// fmt throws where stderr is closed or full, which must not hide the exit code.
+int say_and_exit(const std::string& message, nuno::ExitCode code)
+{
+    std::fputs(("nuno: " + message + "\n").c_str(), stderr);
+    return static_cast<int>(code);
+}
+
 int main(int argc, char** argv)
 {
     try {
         return run(argc, argv);
     } catch (const nuno::Error& error) {
-        fmt::print(stderr, "nuno: {}\n", error.what());
-        return static_cast<int>(error.code());
+        return say_and_exit(error.what(), error.code());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "nuno: there is not enough memory; choose a smaller resolution or size\n");
-        return static_cast<int>(nuno::ExitCode::bad_input);
+        return say_and_exit("there is not enough memory; choose a smaller resolution or size",
+                            nuno::ExitCode::bad_input);
+    } catch (const std::exception& error) {
+        return say_and_exit(std::string("the system refused: ") + error.what(), nuno::ExitCode::bad_input);
     }
 }

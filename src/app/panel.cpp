@@ -38,7 +38,7 @@ std::vector<std::string_view> ordered_groups(ParamTable table)
 
 ParamRows::Kind kind_of_sim_row(const ParamInfo& info)
 {
-    const bool rebuilds = needs_restart(info.name) || info.name == "threads";
+    const bool rebuilds = needs_restart(info.name);
     return rebuilds ? ParamRows::Kind::on_release : ParamRows::Kind::live;
 }
 

@@ -126,12 +126,12 @@ std::optional<ParamEdit> ParamPanel::draw_group(const ParamRows& rows, std::stri
         if (!open || info.group != group) continue;
         const ParamRows::Kind kind = rows.kind(info);
         if (kind == ParamRows::Kind::hidden) continue;
-        if (const auto row = draw_row(rows, info, kind == ParamRows::Kind::on_release)) edit = row;
+        if (const auto row = draw_row(rows, info, kind)) edit = row;
     }
     return edit;
 }
 
-std::optional<ParamEdit> ParamPanel::draw_row(const ParamRows& rows, const ParamInfo& info, bool on_release)
+std::optional<ParamEdit> ParamPanel::draw_row(const ParamRows& rows, const ParamInfo& info, ParamRows::Kind kind)
 {
     const double value = param_value(info, rows.block), scene_value = param_value(info, rows.scene_block);
     const bool held = held_back_ && held_back_->info == &info;
@@ -147,21 +147,21 @@ std::optional<ParamEdit> ParamPanel::draw_row(const ParamRows& rows, const Param
     std::optional<double> edited = draw_value(info, held ? held_back_->value : value, log_);
     note_control(log_, name);
     const bool active = ImGui::IsItemActive(), typed = active && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (edited && active && (on_release || typed))
+    if (edited && active && (kind != ParamRows::Kind::live || typed))
         held_back_ = ParamEdit{&info, *std::exchange(edited, std::nullopt)};
     else if (held && !active)
         edited = edited.value_or(std::exchange(held_back_, std::nullopt)->value);
     hovered = hovered || ImGui::IsItemHovered();
     if (!hovered && hovered_ == &info) hovered_ = nullptr;
     if (hovered && std::exchange(hovered_, &info) != &info) since_hovered_ = {};
-    draw_tooltip(info, scene_value, on_release);
+    draw_tooltip(info, scene_value, kind == ParamRows::Kind::restarts);
     if (const std::optional<double> reset = draw_reset(info, value, scene_value)) edited = reset;
     ImGui::PopID();
     if (!edited || *edited == value) return std::nullopt;
     return ParamEdit{&info, *edited};
 }
 
-void ParamPanel::draw_tooltip(const ParamInfo& info, double scene_value, bool on_release)
+void ParamPanel::draw_tooltip(const ParamInfo& info, double scene_value, bool restarts)
 {
     if (hovered_ != &info || ImGui::IsItemActive() || since_hovered_.elapsed_ms() < kTooltipAfterMs) return;
     ImGui::BeginTooltip();
@@ -172,7 +172,7 @@ void ParamPanel::draw_tooltip(const ParamInfo& info, double scene_value, bool on
     ImGui::TextDisabled("%s", range.c_str());
     if (info.type == ParamType::real || info.type == ParamType::integer)
         ImGui::TextDisabled("Ctrl-click to type a value.");
-    if (on_release) ImGui::TextDisabled("A change starts the cloth again.");
+    if (restarts) ImGui::TextDisabled("A change starts the cloth again.");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

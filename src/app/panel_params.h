@@ -31,6 +31,7 @@ struct ParamRows
     {
         live,
         on_release,  // its change is too heavy to follow the mouse: it acts when the mouse lets go
+        restarts,    // the same, and the cloth starts again
         hidden
     };
     std::function<Kind(const ParamInfo&)> kind;
@@ -45,9 +46,9 @@ class ParamPanel
     std::optional<ParamEdit> draw_group(const ParamRows& rows, std::string_view group, bool open_at_first);
 
   private:
-    std::optional<ParamEdit> draw_row(const ParamRows& rows, const ParamInfo& info, bool on_release);
+    std::optional<ParamEdit> draw_row(const ParamRows& rows, const ParamInfo& info, ParamRows::Kind kind);
     std::optional<double> draw_reset(const ParamInfo& info, double value, double scene_value);
-    void draw_tooltip(const ParamInfo& info, double scene_value, bool on_release);
+    void draw_tooltip(const ParamInfo& info, double scene_value, bool restarts);
 
     ViewerLog& log_;
     std::optional<ParamEdit> held_back_;  // of a row that is being typed, or that acts on release

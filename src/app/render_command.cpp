@@ -30,6 +30,8 @@ OutputPlan plan_output(const RenderFlags& flags)
     if (needs_directory && flags.out.empty())
         throw Error("--out: is missing; name the directory that the frames go to");
     if (needs_directory) make_writable_directory(plan.directory);
+    for (const std::string& file : {flags.common.json, flags.pc2, flags.video})
+        if (!file.empty()) check_can_write(file);
     return plan;
 }
 

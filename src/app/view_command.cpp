@@ -2,6 +2,7 @@
 #include "app/view_command.h"
 
 #include "app/viewer.h"
+#include "core/files.h"
 
 namespace nuno {
 
@@ -23,7 +24,10 @@ int run_view(const ViewFlags& flags)
         apply_size(flags.size, run.view);
         return ViewerScene{std::move(run.scene), run.params, run.view};
     };
+    if (!flags.common.json.empty()) check_can_write(flags.common.json);
     ViewerOptions options;
+    options.quiet = flags.common.quiet;
+    options.hash = flags.common.hash;
     options.start = load(flags.common.scene);
     options.load = load;
     options.width = options.start.view.width;

@@ -108,6 +108,7 @@ int Viewer::run()
     }
     if (!options_.json.empty())
         session_.write_report(options_.json, machine_info(&meters_.gl, session_.simulation().thread_count()));
+    if (options_.hash) fmt::print("state-hash {}\n", hash_text(session_.simulation().state()));
     log_.action("closed");
     return static_cast<int>(interrupted() ? ExitCode::interrupted : ExitCode::done);
 }

@@ -31,6 +31,7 @@ struct ViewerOptions
     bool paused = false;         // starts at rest
     bool debug_context = false;  // asks the driver for its own checks
     bool quiet = false;          // no remarks on stderr
+    bool hash = false;           // prints the hash of the state at the end
     bool log_actions = false;    // a line on stderr for each action and for the place of each control
     std::filesystem::path json;  // where the report of the session goes at its end; empty: none
 };

@@ -22,7 +22,9 @@ void ViewerPicture::draw(ViewerSession& session, glm::ivec2 pixels, int covered,
         target_samples_ = samples;
     }
     session.draw({target_->id(), size.x, size.y}, stage_ms);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->id());
+    // Resolved first: a window's colours may have another format, into which samples cannot be averaged.
+    target_->resolve();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->resolved_id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
     glClear(GL_COLOR_BUFFER_BIT);

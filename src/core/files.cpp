@@ -32,10 +32,14 @@ std::string read_text(const fs::path& path)
 
 void write_whole(const fs::path& path, std::span<const std::byte> bytes)
 {
-    const fs::path temporary = path.string() + ".part" + std::to_string(getpid());
+    std::error_code status;
+    // A link stays a link to what is written; a device or a pipe takes the bytes itself.
+    const fs::path target = fs::is_symlink(path, status) ? fs::weakly_canonical(path, status) : path;
+    const bool direct = fs::exists(target, status) && !fs::is_regular_file(target, status);
+    const fs::path temporary = direct ? target : fs::path(target.string() + ".part" + std::to_string(getpid()));
     const auto fail = [&](const char* action) {
         const int reason = errno;
-        ::unlink(temporary.c_str());
+        if (!direct) ::unlink(temporary.c_str());
         throw Error(path.string() + ": cannot be " + action + " (" + std::strerror(reason) +
                     "); choose a place that exists, is writable and has room");
     };
@@ -53,7 +57,7 @@ void write_whole(const fs::path& path, std::span<const std::byte> bytes)
         done += static_cast<std::size_t>(written);
     }
     if (::close(file) != 0) fail("written");
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("written");
+    if (!direct && ::rename(temporary.c_str(), target.c_str()) != 0) fail("written");
 }
 
 void write_whole(const fs::path& path, std::string_view text) { write_whole(path, std::as_bytes(std::span(text))); }
@@ -68,6 +72,16 @@ void make_writable_directory(const fs::path& directory)
     if (::access(directory.c_str(), W_OK | X_OK) != 0)
         throw Error(directory.string() + ": cannot be written (" + std::strerror(errno) +
                     "); choose another directory");
+}
+
+void check_can_write(const fs::path& path)
+{
+    std::error_code status;
+    const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (fs::is_directory(path, status)) throw Error(path.string() + ": is a directory; name a file");
+    if (!fs::is_directory(directory, status) || ::access(directory.c_str(), W_OK | X_OK) != 0)
+        throw Error(path.string() + ": cannot be written, since " + directory.string() +
+                    " is no directory that can be written to; choose another place");
 }
 
 fs::path root_directory()

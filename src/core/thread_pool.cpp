@@ -2,7 +2,10 @@
 #include "core/thread_pool.h"
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace nuno {
@@ -33,7 +36,24 @@ struct ThreadPool::Crew
     std::atomic<int> round{0};
     std::atomic<int> working{0};
     std::atomic<bool> stop{false};
+    std::mutex mutex;
+    std::exception_ptr error;  // the first of a round
 
+    ~Crew()
+    {
+        stop = true;
+        next_round();
+        for (std::thread& thread : threads) thread.join();
+    }
+    void run_body(int thread)
+    {
+        try {
+            (*body)(thread);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!error) error = std::current_exception();
+        }
+    }
     void work(int thread)
     {
         for (int seen = 0;;) {
@@ -42,7 +62,7 @@ struct ThreadPool::Crew
             round.wait(seen, std::memory_order_acquire);
             seen = round.load(std::memory_order_acquire);
             if (stop) return;
-            (*body)(thread);
+            run_body(thread);
             working.fetch_sub(1, std::memory_order_release);
         }
     }
@@ -60,12 +80,7 @@ ThreadPool::ThreadPool(int thread_count) : crew_(std::make_unique<Crew>())
         crew_->threads.emplace_back([crew = crew_.get(), thread] { crew->work(thread); });
 }
 
-ThreadPool::~ThreadPool()
-{
-    crew_->stop = true;
-    crew_->next_round();
-    for (std::thread& thread : crew_->threads) thread.join();
-}
+ThreadPool::~ThreadPool() = default;
 
 int ThreadPool::thread_count() const { return static_cast<int>(crew_->threads.size()) + 1; }
 
@@ -75,8 +90,9 @@ void ThreadPool::run(const std::function<void(int)>& body)
     crew_->body = &body;
     crew_->working.store(static_cast<int>(crew_->threads.size()), std::memory_order_relaxed);
     crew_->next_round();
-    body(0);
+    crew_->run_body(0);
     for (int turn = 0; crew_->working.load(std::memory_order_acquire) > 0; ++turn) wait_a_moment(turn);
+    if (const std::exception_ptr error = std::exchange(crew_->error, nullptr)) std::rethrow_exception(error);
 }
 
 void SpinBarrier::arrive_and_wait()

@@ -19,7 +19,8 @@ class ThreadPool
     int thread_count() const;
 
     // Calls body(thread) once on every thread, thread = 0 (the caller) .. thread_count - 1, and returns when all are done.
-    // The body must not throw and must not call run.
+    // The first exception of a body is thrown again here, once all have ended; a body that holds others at a barrier must not throw.
+    // The body must not call run.
     void run(const std::function<void(int thread)>& body);
 
   private:

@@ -20,8 +20,4 @@ void barrier_compute_to_readback() { glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BI
 
 void barrier_compute_to_upload() { glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); }
 
-void barrier_compute_to_indirect() { glMemoryBarrier(GL_COMMAND_BARRIER_BIT); }
-
-void barrier_compute_to_uniforms() { glMemoryBarrier(GL_UNIFORM_BARRIER_BIT); }
-
 }  // namespace nuno

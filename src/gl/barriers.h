@@ -19,10 +19,4 @@ void barrier_compute_to_readback();
 // Kernels wrote a buffer; glBufferSubData overwrites a part of it.
 void barrier_compute_to_upload();
 
-// Kernels wrote a dispatch or draw command; an indirect dispatch or draw takes it.
-void barrier_compute_to_indirect();
-
-// Kernels wrote a buffer; later kernels or draws read it as a uniform block.
-void barrier_compute_to_uniforms();
-
 }  // namespace nuno

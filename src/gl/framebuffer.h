@@ -25,8 +25,9 @@ class Framebuffer
     // The framebuffer that is drawn into.
     GLuint id() const { return drawn_.id; }
 
-    // Averages the samples of what was drawn; read_rgba reads the result.
+    // Averages the samples of what was drawn into the framebuffer resolved_id, which read_rgba reads.
     void resolve() const;
+    GLuint resolved_id() const { return resolved_.id; }
 
     // Waits for the device and copies the resolved picture: 4 width height bytes, rows top-down.
     void read_rgba(std::vector<std::uint8_t>& pixels) const;

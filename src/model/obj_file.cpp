@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -17,34 +18,65 @@ namespace nuno {
 namespace {
 
 // The reader below takes what it cannot parse for 0 and forgives missing vertices, so numbers and indices are checked first.
-void check_obj_text(const std::string& text, const std::string& path)
+class ObjCheck
 {
-    std::istringstream lines(text);
-    std::string line, word;
-    long positions = 0;
-    for (int number = 1; std::getline(lines, line); ++number) {
-        std::istringstream words(line);
-        if (!(words >> word)) continue;
-        if (word == "v") {
-            ++positions;
-            int count = 0;
-            for (; count < 3 && words >> word; ++count)
-                if (!std::isfinite(parse_number(word[0] == '+' ? word.substr(1) : word).value_or(NAN)))
-                    throw Error(fmt::format("{}:{}: '{}' is no finite number; a vertex is `v x y z` in metres", path,
-                                            number, word));
-            if (count < 3) throw Error(fmt::format("{}:{}: a vertex needs three numbers, `v x y z`", path, number));
-        } else if (word == "f") {
-            int count = 0;
-            for (; words >> word; ++count) {
-                const auto index = parse_number(std::string_view(word).substr(0, word.find('/')));
-                if (!index || *index == 0 || *index > double(positions) || -*index > double(positions))
-                    throw Error(fmt::format("{}:{}: '{}' names no vertex; {} were given before this line (1 to {})",
-                                            path, number, word, positions, positions));
-            }
-            if (count < 3) throw Error(fmt::format("{}:{}: a face needs at least three vertices", path, number));
+  public:
+    ObjCheck(const std::string& text, std::string path) : path_(std::move(path))
+    {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            ++line_;
+            line.resize(std::min(line.size(), line.find('#')));
+            text_ += line + '\n';
+            std::istringstream words(line);
+            std::string word;
+            if (!(words >> word)) continue;
+            if (word == "v") check_numbers(words, 3, "a vertex is `v x y z` in metres"), ++positions_;
+            if (word == "vt") check_numbers(words, 1, "a texture coordinate is `vt u v`"), ++texcoords_;
+            if (word == "f") check_face(words);
         }
     }
-}
+
+    // The file without its comments, which the reader takes for numbers after a face.
+    const std::string& text() const { return text_; }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", path_, line_, what)); }
+
+    void check_numbers(std::istringstream& words, int least, const char* form) const
+    {
+        int count = 0;
+        for (std::string word; words >> word; ++count)
+            if (!std::isfinite(parse_number(word[0] == '+' ? word.substr(1) : word).value_or(NAN)))
+                fail(fmt::format("'{}' is no finite number; {}", word, form));
+        if (count < least) fail(fmt::format("{} numbers are too few; {}", count, form));
+    }
+
+    void check_face(std::istringstream& words) const
+    {
+        int corners = 0;
+        for (std::string word; words >> word; ++corners) {
+            const std::size_t slash = word.find('/');
+            check_index(word, word.substr(0, slash), positions_, "vertex");
+            if (slash == word.npos) continue;
+            const std::string texcoord = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+            if (!texcoord.empty()) check_index(word, texcoord, texcoords_, "texture coordinate");
+        }
+        if (corners < 3) fail("a face needs at least three vertices");
+    }
+
+    // Indices count from 1, or backwards from -1.
+    void check_index(const std::string& word, const std::string& index, long count, const char* what) const
+    {
+        const double i = parse_number(index).value_or(0);
+        if (i == 0 || i != std::floor(i) || std::abs(i) > double(count))
+            fail(fmt::format("'{}' names no {}; {} were given before this line (1 to {})", word, what, count, count));
+    }
+
+    std::string path_, text_;
+    int line_ = 0;
+    long positions_ = 0, texcoords_ = 0;
+};
 
 // Places of vertices without texture coordinates: the two longest sides of the bounding box.
 std::vector<glm::vec2> box_uvs(const std::vector<glm::vec3>& positions)
@@ -63,12 +95,11 @@ std::vector<glm::vec2> box_uvs(const std::vector<glm::vec3>& positions)
 
 TriangleMesh load_obj(const std::filesystem::path& path)
 {
-    const std::string text = read_text(path);
-    check_obj_text(text, path.string());
+    const ObjCheck checked(read_text(path), path.string());
     tinyobj::ObjReaderConfig config;
     config.triangulate = true;
     tinyobj::ObjReader reader;
-    if (!reader.ParseFromString(text, "", config))
+    if (!reader.ParseFromString(checked.text(), "", config))
         throw Error(
             fmt::format("{}: is no OBJ file ({}); give `v x y z` and `f a b c` lines", path.string(), reader.Error()));
 

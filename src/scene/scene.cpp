@@ -137,7 +137,7 @@ Scene read_scene(const toml::table& root, const fs::path& path)
         TomlTable(*params, file_name).read_params(sim_param_table(), &scene.params);
     if (const toml::table* view = file.table("view"))
         for (const TomlTable::Entry& entry : TomlTable(*view, file_name).entries())
-            scene.view.push_back({entry.name, entry.text, entry.where});
+            scene.view.push_back({entry.name, entry.text, entry.where, entry.quoted});
     for_each_table(file, file_name, "sheet",
                    [&](TomlTable t) { scene.sheets.push_back(read_sheet(std::move(t), path)); });
     for_each_table(file, file_name, "plane",

@@ -34,6 +34,7 @@ struct SheetSpec
 struct ViewSetting
 {
     std::string name, text, where;
+    bool quoted;  // a text in the file, not a number, true or false
 };
 
 struct Scene

@@ -122,7 +122,7 @@ std::vector<TomlTable::Entry> TomlTable::entries()
     std::vector<Entry> all;
     for (const auto& [key, node] : table_) {
         if (!node.is_value()) fail(key.str(), "a number, true, false or a text");
-        all.push_back({std::string(key.str()), scalar_text(node), where(key.str())});
+        all.push_back({std::string(key.str()), scalar_text(node), where(key.str()), node.is_string()});
     }
     return all;
 }

@@ -35,6 +35,7 @@ class TomlTable
     struct Entry
     {
         std::string name, text, where;
+        bool quoted;
     };
     std::vector<Entry> entries();
 

@@ -17,7 +17,9 @@ namespace nuno {
 namespace {
 
 constexpr int kMostFramesAtOnce = 4;
-constexpr float kDragSpeed = 3.0f;  // of a held vertex [m/s]
+constexpr float kDragSpeed = 3.0f;    // of a held vertex [m/s]
+constexpr float kDragStretch = 0.2f;  // of the threads at a held vertex, at most
+constexpr int kSubstepsAHandMove = 4;
 
 void add_pass(FrameStats& stats, const CollisionCounts& pass)
 {
@@ -63,16 +65,19 @@ void Simulation::restart()
 
 void Simulation::set_params(const SimParams& params)
 {
-    bool rebuild = params.threads != params_.threads;
     for (const ParamInfo& info : sim_param_table())
-        if (needs_restart(info.name)) rebuild = rebuild || param_value(info, &params) != param_value(info, &params_);
-    if (rebuild) return build(params);
+        if (needs_restart(info.name) && param_value(info, &params) != param_value(info, &params_)) return build(params);
 
-    const bool new_solver = params.method != params_.method || params.backend != params_.backend;
-    const bool new_masses = params.areal_density != params_.areal_density;
-    if (new_solver || new_masses) {
+    const bool new_pool = params.threads != params_.threads;
+    const bool new_solver = new_pool || params.method != params_.method || params.backend != params_.backend;
+    if (new_solver || params.areal_density != params_.areal_density) {
         state();
-        if (new_solver) solver_ = make_solver(*model_, scene_.colliders, params, *pool_);
+        auto pool = new_pool ? std::make_unique<ThreadPool>(params.threads) : nullptr;
+        if (new_solver) solver_ = make_solver(*model_, scene_.colliders, params, pool ? *pool : *pool_);
+        if (new_pool) {
+            collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, *pool);
+            pool_ = std::move(pool);
+        }
         for (std::uint32_t v = 0; v < model_->vertex_count(); ++v)
             if (state_.positions[v].w > 0) state_.positions[v].w = inverse_mass(*model_, v, params.areal_density);
         solver_->upload(state_);
@@ -91,11 +96,10 @@ FrameStats Simulation::advance_frame()
     FrameStats stats;
     const double h = double(substep_s(params_));
     const int passes = pass_count(), substeps = params_.substeps;
-    move_held_vertex();
     for (int pass = 0; pass < passes; ++pass) {
         const int first = substeps * pass / passes, last = substeps * (pass + 1) / passes;
         Stopwatch watch;
-        solver_->step({params_, time_s_ + first * h, last - first});
+        run_substeps(first, last);
         solver_->finish();
         stats.stage_ms.solve += watch.lap_ms();
         positions_fresh_ = velocities_fresh_ = false;
@@ -176,12 +180,34 @@ void Simulation::release_vertex()
     held_.reset();
 }
 
-void Simulation::move_held_vertex()
+void Simulation::run_substeps(int first, int last)
 {
-    if (!held_) return;
-    const glm::vec3 way = held_->target - held_->position;
-    const float length = glm::length(way), most = kDragSpeed / static_cast<float>(params_.frame_rate);
-    held_->position += length > most ? way * (most / length) : way;
+    const double h = double(substep_s(params_));
+    if (!held_) return solver_->step({params_, time_s_ + first * h, last - first});
+    // The hand moves a little every few substeps, so that the cloth can follow.
+    for (int begin = first; begin < last; begin += kSubstepsAHandMove) {
+        const int end = std::min(last, begin + kSubstepsAHandMove);
+        solver_->download_positions(state_.positions);
+        move_held_vertex(static_cast<float>((end - begin) * h));
+        solver_->step({params_, time_s_ + begin * h, end - begin});
+    }
+}
+
+// Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand would slide.
+void Simulation::move_held_vertex(float duration_s)
+{
+    const SpringTable& table = model_->spring_table;
+    glm::vec3 way = held_->target - held_->position;
+    way *= std::min(1.0f, kDragSpeed * duration_s / std::max(glm::length(way), 1e-12f));
+    for (int slot = 0; slot < table.first_slot[1]; ++slot) {
+        const std::size_t entry = static_cast<std::size_t>(slot) * table.vertex_count + held_->vertex;
+        if (table.rest_lengths[entry] < 0) continue;
+        const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
+        const float length = std::max(glm::length(thread), 1e-12f);
+        const float slack = std::max((1 + kDragStretch) * table.rest_lengths[entry] - length, 0.0f);
+        way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
+    }
+    held_->position += way;
     solver_->set_vertex(held_->vertex, glm::vec4(held_->position, 0));
 }
 

@@ -30,7 +30,7 @@ class Simulation
     double time_s() const { return time_s_; }
     int thread_count() const { return pool_->thread_count(); }
 
-    // Acts from the next frame on: forces at once, method and backend with the state carried over; a parameter of the start
+    // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the start
     // (needs_restart) starts again. Error (nothing changed) where they do not work.
     void set_params(const SimParams& params);
     void restart();
@@ -48,7 +48,8 @@ class Simulation
     // OpenGL name of the positions, 0 on the cpu backend.
     std::uint32_t position_buffer() const { return solver_->position_buffer(); }
 
-    // Drags a vertex to `target` [m], at a limited speed, until it is released. A pinned vertex stays pinned where it is left.
+    // Drags a vertex towards `target` [m] until it is released, no faster than a hand and no further than its threads can stretch.
+    // A pinned vertex stays pinned where it is left.
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
 
@@ -57,9 +58,9 @@ class Simulation
 
   private:
     void build(const SimParams& params);
-    void make_solver_now();
     void download();
-    void move_held_vertex();
+    void run_substeps(int first, int last);
+    void move_held_vertex(float duration_s);
     void collide(FrameStats& stats, float interval_s);
     void check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const;
     int pass_count() const;

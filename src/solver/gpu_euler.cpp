@@ -1,8 +1,11 @@
 // Explicit and symplectic Euler in a compute shader.
 #include "solver/gpu_euler.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
+#include "core/error.h"
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
 
@@ -23,6 +26,25 @@ std::vector<Define> euler_defines(const SpringTable& table, const Colliders& col
             {"SPHERE_COUNT", std::to_string(colliders.spheres.size())}};
 }
 
+// The bodies of a scene as the kernel reads them: planes, one more, spheres, one more. Error where this device has no room for them.
+std::vector<glm::vec4> collider_block(const Colliders& colliders)
+{
+    std::vector<glm::vec4> block;
+    for (const Plane& plane : colliders.planes) block.emplace_back(plane.normal, plane.offset);
+    block.emplace_back(0);
+    for (const Sphere& sphere : colliders.spheres) block.emplace_back(sphere.centre, sphere.radius);
+    block.emplace_back(0);
+    GLint most_bytes = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most_bytes);
+    const std::size_t most = static_cast<std::size_t>(most_bytes) / sizeof(glm::vec4);
+    if (block.size() > most)
+        throw Error(
+            fmt::format("scene: {} planes and spheres are too many for this device, which takes {}; use fewer, or "
+                        "--backend cpu",
+                        block.size() - 2, most - 2));
+    return block;
+}
+
 // Every field is a 4-byte scalar, so std140 lays them out as the struct does.
 static_assert(sizeof(SimParams) % 4 == 0 && std::is_trivially_copyable_v<SimParams>);
 
@@ -37,6 +59,7 @@ VertexBuffer::VertexBuffer(std::uint32_t vertex_count)
 GpuEuler::GpuEuler(const ClothModel& model, const Colliders& colliders, Method method)
     : method_(method),
       vertex_count_(model.vertex_count()),
+      colliders_(make_buffer(collider_block(colliders), GL_STATIC_DRAW)),
       euler_(compute_program("sim/euler.comp", euler_defines(model.spring_table, colliders, method),
                              {{"generated/sim_params", glsl_fields(sim_param_table())}})),
       finite_(compute_program("sim/finite.comp")),
@@ -48,7 +71,6 @@ GpuEuler::GpuEuler(const ClothModel& model, const Colliders& colliders, Method m
       rest_length_texture_(GL_RGBA32F)
 {
     upload_springs(model.spring_table);
-    upload_colliders(colliders);
 }
 
 std::string_view GpuEuler::name() const
@@ -72,16 +94,6 @@ void GpuEuler::upload_springs(const SpringTable& table)
     rest_lengths_ = make_buffer(rest_lengths, GL_STATIC_DRAW);
     neighbour_texture_.view(neighbours_.id(), neighbours_.size_bytes());
     rest_length_texture_.view(rest_lengths_.id(), rest_lengths_.size_bytes());
-}
-
-void GpuEuler::upload_colliders(const Colliders& colliders)
-{
-    std::vector<glm::vec4> block;
-    for (const Plane& plane : colliders.planes) block.emplace_back(plane.normal, plane.offset);
-    block.emplace_back(0);
-    for (const Sphere& sphere : colliders.spheres) block.emplace_back(sphere.centre, sphere.radius);
-    block.emplace_back(0);
-    colliders_ = make_buffer(block, GL_STATIC_DRAW);
 }
 
 void GpuEuler::upload(const ClothState& state)

@@ -23,7 +23,7 @@ struct VertexBuffer
 class GpuEuler final : public ClothSolver
 {
   public:
-    // Error where the springs do not fit into a buffer texture of this device.
+    // Error where springs or bodies do not fit into what this device reads.
     GpuEuler(const ClothModel& model, const Colliders& colliders, Method method);
 
     std::string_view name() const override;
@@ -39,15 +39,15 @@ class GpuEuler final : public ClothSolver
 
   private:
     void upload_springs(const SpringTable& table);
-    void upload_colliders(const Colliders& colliders);
     void dispatch() const;
 
     const Method method_;
     const std::uint32_t vertex_count_;
+    Buffer colliders_;
     Program euler_, finite_;
     std::array<VertexBuffer, 2> positions_, velocities_;  // read from one, written to the other, in turns
     int current_ = 0;
-    Buffer neighbours_, rest_lengths_, params_, colliders_, first_bad_;
+    Buffer neighbours_, rest_lengths_, params_, first_bad_;
     BufferTexture neighbour_texture_, rest_length_texture_;
     Readback readback_;
 };

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/error.h"
 #include "core/stopwatch.h"
 #include "model/stability.h"
 #include "sim/simulation.h"
@@ -107,7 +108,12 @@ ComparePoint compare_point(const Scene& scene, SimParams params, int size)
     point.particles = model.vertex_count();
     point.substeps = params.substeps;
     compare_substeps(model, scene.colliders, params, point);
-    time_frames(scene, params, point);
+    try {
+        time_frames(scene, params, point);
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::went_bad) throw;
+        point.failure = error.what();
+    }
     return point;
 }
 
@@ -119,7 +125,7 @@ bool has_grid(const Scene& scene)
 }  // namespace
 
 std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
-                                           const CompareProgress& progress)
+                                           std::span<const int> sizes, const CompareProgress& progress)
 {
     struct Job
     {
@@ -130,7 +136,7 @@ std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, Si
     std::vector<Job> jobs;
     for (const auto& [scene, params] : runs) {
         if (!has_grid(scene)) jobs.push_back({&scene, &params, 0});
-        for (const int size : kComparedSizes)
+        for (const int size : sizes)
             if (has_grid(scene)) jobs.push_back({&scene, &params, size});
     }
     std::vector<ComparePoint> points;
@@ -146,6 +152,7 @@ bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl)
     return std::all_of(points.begin(), points.end(), [&](const ComparePoint& p) {
         const bool finite =
             std::all_of(p.largest_difference_m.begin(), p.largest_difference_m.end(), [](double d) { return d >= 0; });
+        if (!p.failure.empty()) return false;
         if (software_gl) return finite && p.substep_hashes_agree && p.frame_hashes_agree;
         return finite && p.largest_difference_m[0] <= 1e-5;
     });

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,18 +33,19 @@ struct ComparePoint
     int timed_frames = 0;
     BackendCost cpu, gpu;
     std::array<double, 4>
-        largest_difference_m{};         // of a position, after kComparedSubsteps without contact; -1: not finite
+        largest_difference_m{};  // of a position, after kComparedSubsteps without contact; -1: not finite
+    std::string failure;         // how the simulation went bad, after which the rest of the point is empty; else empty
     bool substep_hashes_agree = false;  // after all of them
     bool frame_hashes_agree = false;    // after the timed frames, with contact
-    double ratio() const { return gpu.frame_ms / cpu.frame_ms; }
+    double ratio() const { return cpu.frame_ms > 0 ? gpu.frame_ms / cpu.frame_ms : 0; }
 };
 
 // Called before each point; false ends the study with what is done.
 using CompareProgress = std::function<bool(int done, int total, const std::string& what)>;
 
-// An OpenGL context must be current. Runs of the two backends are interleaved.
+// An OpenGL context must be current. Runs of the two backends are interleaved. `sizes`: vertices along the longer side of grids.
 std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
-                                           const CompareProgress& progress);
+                                           std::span<const int> sizes, const CompareProgress& progress);
 
 // True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep elsewhere;
 // and where every number is finite.

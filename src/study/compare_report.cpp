@@ -62,6 +62,7 @@ Json compare_json(const std::vector<ComparePoint>& points)
                         {"gpu", cost_json(p.gpu)},
                         {"gpu_over_cpu", p.ratio()},
                         {"largest_difference_m_after_substeps", differences},
+                        {"failure", p.failure},
                         {"substep_hashes_agree", p.substep_hashes_agree},
                         {"frame_hashes_agree", p.frame_hashes_agree}});
     }

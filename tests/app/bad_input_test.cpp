@@ -72,6 +72,7 @@ TEST(BadInput, scene_files)
     EXPECT_THAT(render_refusal("[view]\nlok = \"phong\"\n" + kSheet),
                 AllOf(HasSubstr("bad.toml:2"), HasSubstr("nearest is look")));
     EXPECT_THAT(render_refusal("[view]\ncamera_distance = inf\n" + kSheet), HasSubstr("bad.toml:2"));
+    EXPECT_THAT(render_refusal("[view]\ncamera_distance = \"3\"\n" + kSheet), HasSubstr("bad.toml:2"));
 }
 
 TEST(BadInput, textures_that_are_missing_or_cut_short)
@@ -126,8 +127,27 @@ TEST(BadInput, words_that_no_command_knows)
     {
         const ProgramResult result = run_program(words);
         EXPECT_EQ(result.exit_code, 2);
-        EXPECT_FALSE(result.err.empty());
+        EXPECT_THAT(result.err, testing::StartsWith("nuno: "));
     }
+    EXPECT_THAT(run_program({"rendr"}).err, AllOf(HasSubstr("nearest is render"), HasSubstr("compare")));
+}
+
+TEST(BadInput, too_many_bodies_for_a_device_are_counted)
+{
+    std::string scene = kSheet;
+    for (int i = 0; i < 6000; ++i) scene += "[[sphere]]\ncentre = [9, 9, 9]\n";
+    const TemporaryDirectory directory;
+    const std::string path = directory.write("many.toml", scene).string();
+    EXPECT_THAT(refusal({"render", path, "--no-images", "--frames", "1", "--backend", "gpu"}),
+                AllOf(HasSubstr("6000 planes and spheres"), HasSubstr("--backend cpu")));
+}
+
+TEST(BadInput, an_output_that_cannot_be_written_is_said_before_the_work)
+{
+    const ProgramResult result = run_program(
+        {"render", "seed", "--no-images", "--backend", "cpu", "--frames", "90000000", "--json", "/nonexistent/r.json"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("/nonexistent"));
 }
 
 }  // namespace

@@ -51,6 +51,19 @@ TEST(Files, a_disk_that_fills_leaves_the_old_file_whole)
     EXPECT_EQ(names_in(directory.path()), std::vector<std::string>{"frame.png"});
 }
 
+TEST(Files, a_link_stays_a_link_and_a_device_a_device)
+{
+    const TemporaryDirectory directory;
+    write_whole(directory.path() / "real", "old");
+    fs::create_symlink("real", directory.path() / "link");
+    write_whole(directory.path() / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(directory.path() / "link"));
+    EXPECT_EQ(read_text(directory.path() / "real"), "new");
+    fs::create_symlink("/dev/null", directory.path() / "null");
+    write_whole(directory.path() / "null", "gone");
+    EXPECT_TRUE(fs::is_character_file(directory.path() / "null"));
+}
+
 TEST(Files, a_place_that_cannot_be_written_is_named)
 {
     const TemporaryDirectory directory;

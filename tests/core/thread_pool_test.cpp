@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <stdexcept>
 #include <vector>
 
 namespace nuno {
@@ -17,6 +19,18 @@ TEST(ThreadPool, every_thread_runs_the_body_once_a_round)
         for (int round = 0; round < 200; ++round)
             pool.run([&](int thread) { ++runs[static_cast<std::size_t>(thread)]; });
         for (const int r : runs) EXPECT_EQ(r, 200);
+    }
+}
+
+TEST(ThreadPool, an_exception_of_any_thread_reaches_the_caller_and_the_pool_works_on)
+{
+    ThreadPool pool(3);
+    for (int thrower = 0; thrower < 3; ++thrower) {
+        EXPECT_THROW(pool.run([&](int thread) { thread == thrower ? throw std::runtime_error("bad") : void(); }),
+                     std::runtime_error);
+        std::atomic<int> runs{0};
+        pool.run([&](int) { ++runs; });
+        EXPECT_EQ(runs, 3);
     }
 }
 

@@ -52,8 +52,6 @@ TEST_F(ProgramTest, every_barrier_is_accepted)
     barrier_draw_to_compute();
     barrier_compute_to_readback();
     barrier_compute_to_upload();
-    barrier_compute_to_indirect();
-    barrier_compute_to_uniforms();
     EXPECT_TRUE(take_gl_errors().empty());
 }
 

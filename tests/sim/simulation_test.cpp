@@ -109,6 +109,39 @@ TEST(Simulation, a_held_vertex_goes_to_its_target_and_comes_free_again)
     EXPECT_GT(glm::distance(glm::vec3(simulation.state().positions[v]), target), 0.01f);
 }
 
+TEST(Simulation, pulling_at_a_vertex_never_tears_the_cloth_apart)
+{
+    for (const char* name : {"seed", "hang", "flag"}) {
+        Simulation simulation = cpu_simulation(name);
+        const std::uint32_t v = simulation.model().vertex_count() / 2 + 3;
+        for (int i = 0; i < 45; ++i) {
+            simulation.hold_vertex(v, glm::vec3(simulation.model().rest_positions[v]) + glm::vec3(0.5f, 1, 2));
+            simulation.advance_frame();
+        }
+        const Diagnostics held = simulation.diagnostics();
+        EXPECT_LT(held.max_strain, 1) << name << ": no thread is pulled to twice its length";
+        EXPECT_GT(glm::distance(glm::vec3(simulation.state().positions[v]), simulation.model().rest_positions[v]), 0.3f)
+            << name;
+        simulation.release_vertex();
+        for (int i = 0; i < 15; ++i) simulation.advance_frame();
+        EXPECT_LT(simulation.diagnostics().max_speed, 30) << name;
+    }
+}
+
+TEST(Simulation, a_change_of_threads_goes_on_with_the_same_bits)
+{
+    Simulation one = cpu_simulation("seed"), two = cpu_simulation("seed");
+    for (int i = 0; i < 20; ++i) {
+        SimParams params = two.params();
+        params.threads = 1 + i % 3;
+        two.set_params(params);
+        one.advance_frame();
+        two.advance_frame();
+    }
+    EXPECT_EQ(two.frame(), 20);
+    EXPECT_EQ(hash_text(one.state()), hash_text(two.state()));
+}
+
 TEST(Simulation, numbers_gone_bad_end_it_with_the_setting_that_holds)
 {
     const Scene scene = load_scene("hang");
