@@ -38,8 +38,9 @@ std::vector<std::string_view> ordered_groups(ParamTable table)
 
 ParamRows::Kind kind_of_sim_row(const ParamInfo& info)
 {
-    const bool rebuilds = needs_restart(info.name);
-    return rebuilds ? ParamRows::Kind::on_release : ParamRows::Kind::live;
+    if (needs_restart(info.name)) return ParamRows::Kind::restarts;
+    // Each number of threads is another pool of them.
+    return info.name == "threads" ? ParamRows::Kind::on_release : ParamRows::Kind::live;
 }
 
 // The size of the picture is that of the window.

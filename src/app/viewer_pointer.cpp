@@ -108,10 +108,16 @@ void ViewerPointer::log_camera(const ViewParams& view)
 void ViewerPointer::draw_mark(const PointerArea& area, ViewerSession& session) const
 {
     if (!drag_) return;
-    const auto place = project(pick_view(session.view(), area.size), drag_->target());
-    if (!place) return;
+    // A restart may have left fewer vertices.
+    const std::span<const glm::vec4> positions = session.simulation().state().positions;
+    if (drag_->vertex() >= positions.size()) return;
+    const PickView view = pick_view(session.view(), area.size);
+    const auto place = project(view, glm::vec3(positions[drag_->vertex()])), target = project(view, drag_->target());
+    if (!place || !target) return;
     const ImVec2 centre(area.corner.x + place->x, area.corner.y + place->y);
+    const ImVec2 hand(area.corner.x + target->x, area.corner.y + target->y);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddLine(centre, hand, IM_COL32(255, 210, 90, 150), 1.5f * area.scale);
     list.AddCircle(centre, 7 * area.scale, IM_COL32(20, 20, 20, 200), 0, 3.5f * area.scale);
     list.AddCircle(centre, 7 * area.scale, IM_COL32(255, 210, 90, 255), 0, 1.8f * area.scale);
 }

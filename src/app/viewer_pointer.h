@@ -31,7 +31,7 @@ class ViewerPointer
     void handle(const std::vector<PointerEvent>& events, const PointerArea& area, ViewerSession& session);
     // True while a button that was pressed on the picture is down.
     bool busy() const { return motion_ != Motion::none; }
-    // Marks the vertex that is dragged, on top of the picture.
+    // Marks the vertex that is dragged, and how far it is from the mouse, on top of the picture.
     void draw_mark(const PointerArea& area, ViewerSession& session) const;
 
   private:
