@@ -1,4 +1,5 @@
-// Time a particle and substep of the solvers, on the CPU and in compute shaders: grid, mesh in the order of rows, mesh out of order.
+// Time a particle and substep of the solvers, on the CPU and in compute shaders: grid, mesh in the order of rows, mesh
+// out of order.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #version 430 core
-// Smooth normals: for each vertex the sum of its faces' normals, weighted by area, in the order of the faces, made unit.
+// Smooth normals: for each vertex the sum of its faces' normals, weighted by area, in the order of the faces, made
+// unit.
 #include "shared/render_bindings.h"
 layout(local_size_x = NORMAL_GROUP_SIZE) in;
 

@@ -1,6 +1,7 @@
 // The forces of the seed paper, section 2.2, on one particle [N].
 
-// Spring, eq. of 2.2.1: f = k (|d| - l0) d / |d|, d = x_j - x_i [m], l0 [m], k [N/m]. Zero for d = 0, where no direction exists.
+// Spring, eq. of 2.2.1: f = k (|d| - l0) d / |d|, d = x_j - x_i [m], l0 [m], k [N/m]. Zero for d = 0, where no
+// direction exists.
 SHARED_FN Vec3 spring_force(Vec3 d, Real rest_length, Real stiffness)
 {
     PRECISE Real length = max_real(vector_length(d), Real(1e-12f));

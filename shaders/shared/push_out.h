@@ -1,8 +1,8 @@
-// Contact of one particle with a fixed rigid body. `gap` is the signed distance [m] to the surface less the distance that the
-// cloth keeps from it, `normal` the unit outward normal, `friction` the Coulomb coefficient.
+// Contact of one particle with a fixed rigid body. `gap` is the signed distance [m] to the surface less the distance
+// that the cloth keeps from it, `normal` the unit outward normal, `friction` the Coulomb coefficient.
 
-// Where gap < 0 the particle is put back on the surface, keeps no velocity into it, and loses at most friction times the lost
-// normal velocity of its tangential one. Where gap >= 0 nothing changes.
+// Where gap < 0 the particle is put back on the surface, keeps no velocity into it, and loses at most friction times
+// the lost normal velocity of its tangential one. Where gap >= 0 nothing changes.
 SHARED_FN Motion push_out(Motion m, Vec3 normal, Real gap, Real friction)
 {
     PRECISE Real depth = max_real(-gap, Real(0.0f));

@@ -1,6 +1,7 @@
 #version 430 core
 // One substep of explicit or symplectic Euler (EULER is the formula's name), one invocation a vertex.
-// Defined by the caller: EULER, STRUCTURAL_QUADS, SHEAR_QUADS, BEND_QUADS (slots of each kind / 4), PLANE_COUNT, SPHERE_COUNT.
+// Defined by the caller: EULER, STRUCTURAL_QUADS, SHEAR_QUADS, BEND_QUADS (slots of each kind / 4), PLANE_COUNT,
+// SPHERE_COUNT.
 #include "shared/dialect.glsl"
 #include "shared/bindings.h"
 #include "shared/vector.h"
@@ -10,7 +11,8 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 
-// Read through buffer textures, written through storage blocks: neighbours are only ever read from the state before the substep.
+// Read through buffer textures, written through storage blocks: neighbours are only ever read from the state before the
+// substep.
 layout(binding = UNIT_POSITIONS) uniform samplerBuffer old_positions;
 layout(binding = UNIT_VELOCITIES) uniform samplerBuffer old_velocities;
 layout(binding = UNIT_NEIGHBOURS) uniform isamplerBuffer neighbours;

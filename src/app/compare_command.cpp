@@ -57,6 +57,7 @@ int run_compare(const CompareFlags& flags)
     if (!plot_comparison(points, software, out))
         fmt::print(stderr, "compare: no picture, since gnuplot is missing or failed; {} holds its data\n",
                    (out / "compare.dat").string());
+    machine.check_gl();
     if (interrupted()) return static_cast<int>(ExitCode::interrupted);
     return static_cast<int>(backends_agree(points, software) ? ExitCode::done : ExitCode::check_failed);
 }

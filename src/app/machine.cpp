@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "gl/egl_context.h"
 #include "study/backend_probe.h"
 
@@ -39,6 +40,15 @@ Machine::Machine(bool with_gl)
 Machine::~Machine() = default;
 
 MachineInfo Machine::info(int threads) const { return machine_info(gl_ ? &*gl_ : nullptr, threads); }
+
+void Machine::check_gl() const
+{
+    if (!gl_) return;
+    const std::vector<std::string> errors = take_gl_errors();
+    if (!errors.empty())
+        throw Error(fmt::format("{}: OpenGL reports {} ({} in all); try --backend cpu, or a smaller resolution or size",
+                                gl_->renderer, errors.front(), errors.size()));
+}
 
 void Machine::remark_on_backend(const Simulation& simulation) const
 {

@@ -10,7 +10,8 @@
 
 namespace nuno {
 
-// A line for stderr where compute shaders run on a CPU: that --backend cpu is faster there, and by how much on this cloth.
+// A line for stderr where compute shaders run on a CPU: that --backend cpu is faster there, and by how much on this
+// cloth.
 std::optional<std::string> software_remark(const Simulation& simulation, const GlInfo& gl);
 
 MachineInfo machine_info(const GlInfo* gl, int threads);
@@ -26,6 +27,8 @@ class Machine
     MachineInfo info(int threads) const;
     // Says on stderr what software_remark says, if the simulation runs on the gpu backend.
     void remark_on_backend(const Simulation& simulation) const;
+    // Error where OpenGL has refused something since the context was made: what came out cannot be trusted then.
+    void check_gl() const;
 
   private:
     std::unique_ptr<Context> context_;

@@ -73,8 +73,8 @@ class Panel
 // The contents of the window with the cost.
 void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale);
 
-// Begins the window in the middle that lists keys and mouse movements, and fills it; the caller ends it. `open` becomes false
-// where it is closed.
+// Begins the window in the middle that lists keys and mouse movements, and fills it; the caller ends it. `open` becomes
+// false where it is closed.
 void begin_help(bool& open);
 
 }  // namespace nuno

@@ -42,7 +42,8 @@ class ParamPanel
   public:
     explicit ParamPanel(ViewerLog& log) : log_(log) {}
 
-    // A header for `group`, and its rows where it is open. The change of this frame, if any; not yet applied to the block.
+    // A header for `group`, and its rows where it is open. The change of this frame, if any; not yet applied to the
+    // block.
     std::optional<ParamEdit> draw_group(const ParamRows& rows, std::string_view group, bool open_at_first);
 
   private:
@@ -62,7 +63,8 @@ std::vector<std::string_view> param_groups(ParamTable table);
 // True where the slider of a row is logarithmic: the range spans three decades or more, or dwarfs the default.
 bool is_logarithmic(const ParamInfo& info);
 
-// `value` at three significant digits, within the range: what a slider gives, so that values are ones that a person would type.
+// `value` at three significant digits, within the range: what a slider gives, so that values are ones that a person
+// would type.
 double rounded_by_slider(const ParamInfo& info, double value);
 
 }  // namespace nuno

@@ -148,6 +148,7 @@ int run_render(const RenderFlags& flags)
             flags.common.json,
             make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view).dump(1) + "\n");
     }
+    machine.check_gl();
     if (result.went_bad) throw *result.went_bad;
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
     return static_cast<int>(result.code);

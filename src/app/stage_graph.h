@@ -25,8 +25,8 @@ class StageHistory
   public:
     static constexpr std::size_t kFrames = 240;
 
-    // One frame of the window, in which `simulated_frames` frames were simulated; with none, only render and panel count, and
-    // the graph does not move.
+    // One frame of the window, in which `simulated_frames` frames were simulated; with none, only render and panel
+    // count, and the graph does not move.
     void add(const StageColumn& column, int simulated_frames);
 
     std::size_t size() const { return columns_.size(); }

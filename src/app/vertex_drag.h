@@ -12,7 +12,8 @@ namespace nuno {
 class VertexDrag
 {
   public:
-    // `position`: where the vertex is [m]; `forward`: the direction in which the camera looks; `ray`: through the pointer.
+    // `position`: where the vertex is [m]; `forward`: the direction in which the camera looks; `ray`: through the
+    // pointer.
     VertexDrag(std::uint32_t vertex, glm::vec3 position, glm::vec3 forward, const Ray& ray);
 
     std::uint32_t vertex() const { return vertex_; }

@@ -16,8 +16,8 @@ constexpr float kAboutAsClose = 4.0f;
 
 float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
-// Depth at `place` of the projected triangle, none where it does not cover the place. Depth after the division by w is linear
-// over the picture, so the weights in the picture are those of the depth.
+// Depth at `place` of the projected triangle, none where it does not cover the place. Depth after the division by w is
+// linear over the picture, so the weights in the picture are those of the depth.
 std::optional<float> depth_at(glm::vec2 place, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     if (a.z == kBehind || b.z == kBehind || c.z == kBehind) return std::nullopt;

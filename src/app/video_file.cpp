@@ -29,7 +29,8 @@ pid_t start(const std::vector<std::string>& words, int input)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    // A group of its own: Ctrl-C on the terminal is for nuno, which then closes the pipe and lets the video be finished.
+    // A group of its own: Ctrl-C on the terminal is for nuno, which then closes the pipe and lets the video be
+    // finished.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

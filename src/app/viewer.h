@@ -11,7 +11,8 @@
 
 namespace nuno {
 
-// A scene ready to be shown: what its file says, and the parameters to start with (the file's, then the command line's).
+// A scene ready to be shown: what its file says, and the parameters to start with (the file's, then the command
+// line's).
 struct ViewerScene
 {
     Scene scene;

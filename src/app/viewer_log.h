@@ -1,4 +1,5 @@
-// `--log-actions`: one line on stderr for each thing the user did and for where each control is, so that a script can follow.
+// `--log-actions`: one line on stderr for each thing the user did and for where each control is, so that a script can
+// follow.
 #pragma once
 
 #include <fmt/format.h>

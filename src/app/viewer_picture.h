@@ -15,8 +15,8 @@ namespace nuno {
 class ViewerPicture
 {
   public:
-    // Draws the session's scene into a window of `pixels`, right of its first `covered` columns, and waits for the device; adds
-    // the times to `stage_ms`.
+    // Draws the session's scene into a window of `pixels`, right of its first `covered` columns, and waits for the
+    // device; adds the times to `stage_ms`.
     void draw(ViewerSession& session, glm::ivec2 pixels, int covered, StageTimes& stage_ms);
 
   private:

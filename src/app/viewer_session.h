@@ -1,4 +1,5 @@
-// The scene that the viewer shows: runs or rests, takes changes, and keeps what went wrong as a message instead of ending.
+// The scene that the viewer shows: runs or rests, takes changes, and keeps what went wrong as a message instead of
+// ending.
 #pragma once
 
 #include <memory>

@@ -17,7 +17,8 @@ class ViewerUi
     ViewerUi(const ViewerUi&) = delete;
     ViewerUi& operator=(const ViewerUi&) = delete;
 
-    // Starts a frame of the panel with the keys that went down since the last: from here on wants_keys() answers for it.
+    // Starts a frame of the panel with the keys that went down since the last: from here on wants_keys() answers for
+    // it.
     void begin_frame(std::span<const KeyEvent> keys);
     // Draws what was described since into the window's framebuffer.
     void draw();

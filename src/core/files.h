@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,9 +11,10 @@ namespace nuno {
 // The whole of a text file. Error (naming the path) where it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
-// Writes under a temporary name beside `path`, then renames: a reader sees the old file or the whole new one. What is no regular file
-// (a device, a pipe) is written to directly.
-// Error (naming the path and the system's reason) where the directory or the disk refuses; the temporary file is removed.
+// Writes under a temporary name beside `path`, then renames: a reader sees the old file or the whole new one. What is
+// no regular file (a device, a pipe) is written to directly.
+// Error (naming the path and the system's reason) where the directory or the disk refuses; the temporary file is
+// removed.
 void write_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 

@@ -1,6 +1,8 @@
-// A block of parameters as its table declares it: one row a field, serving flags, scene files, sliders, GLSL, docs and reports.
+// A block of parameters as its table declares it: one row a field, serving flags, scene files, sliders, GLSL, docs and
+// reports.
 //
-// A block is a plain struct of 4-byte scalars made from a .def file of rows (src/model/sim_params.def). Each row is one of
+// A block is a plain struct of 4-byte scalars made from a .def file of rows (src/model/sim_params.def). Each row is one
+// of
 //   NUNO_FLOAT(name, default, min, max, unit, group, help)
 //   NUNO_INT(name, default, min, max, unit, group, help)
 //   NUNO_BOOL(name, default, group, help)                     stored as 0 or 1
@@ -44,7 +46,8 @@ const ParamInfo* find_param(ParamTable table, std::string_view name);
 double param_value(const ParamInfo& info, const void* block);
 std::string param_text(const ParamInfo& info, double value);
 
-// Stores a value. Error, prefixed by `where` (a flag, a file and line), where it is not finite, out of range or not whole.
+// Stores a value. Error, prefixed by `where` (a flag, a file and line), where it is not finite, out of range or not
+// whole.
 void set_param(const ParamInfo& info, void* block, double value, std::string_view where);
 
 // Stores a value given as text: a number, true/false, or the name of a choice.

@@ -11,8 +11,8 @@
 namespace nuno {
 namespace {
 
-// Pauses of some tens of nanoseconds each before a waiting thread gives its core away: long enough for the substep of a neighbour that
-// runs, short enough not to hold up one that does not, because something else has its core.
+// Pauses of some tens of nanoseconds each before a waiting thread gives its core away: long enough for the substep of a
+// neighbour that runs, short enough not to hold up one that does not, because something else has its core.
 constexpr int kSpins = 300;
 
 // One turn of a waiting loop: burn a moment while the wait is short, give the core away when it is not.

@@ -18,9 +18,9 @@ class ThreadPool
 
     int thread_count() const;
 
-    // Calls body(thread) once on every thread, thread = 0 (the caller) .. thread_count - 1, and returns when all are done.
-    // The first exception of a body is thrown again here, once all have ended; a body that holds others at a barrier must not throw.
-    // The body must not call run.
+    // Calls body(thread) once on every thread, thread = 0 (the caller) .. thread_count - 1, and returns when all are
+    // done. The first exception of a body is thrown again here, once all have ended; a body that holds others at a
+    // barrier must not throw. The body must not call run.
     void run(const std::function<void(int thread)>& body);
 
   private:

@@ -1,5 +1,6 @@
-// Every ordering between what a shader writes and what comes after, one function a kind; nothing else calls glMemoryBarrier.
-// No barrier is needed after an upload (glBufferSubData) or a copy: what is issued later sees it, kernels included.
+// Every ordering between what a shader writes and what comes after, one function a kind; nothing else calls
+// glMemoryBarrier. No barrier is needed after an upload (glBufferSubData) or a copy: what is issued later sees it,
+// kernels included.
 #pragma once
 
 namespace nuno {

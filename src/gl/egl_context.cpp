@@ -110,7 +110,8 @@ struct Surface
     EGLSurface surface = EGL_NO_SURFACE;
 };
 
-// What a context of this display is made with: nothing at all where the driver allows that, else a pixel that is never drawn.
+// What a context of this display is made with: nothing at all where the driver allows that, else a pixel that is never
+// drawn.
 Surface choose_surface(EGLDisplay display)
 {
     const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
@@ -140,7 +141,8 @@ std::string describe_any_context(EGLDisplay display, const Surface& surface)
     return fmt::format("version {} of {}", text(GL_VERSION), text(GL_RENDERER));
 }
 
-// A current, loaded context on this display; null, with what was found instead appended to `found`, where it gives none.
+// A current, loaded context on this display; null, with what was found instead appended to `found`, where it gives
+// none.
 std::unique_ptr<Context> try_display(EGLDisplay display, std::string& found)
 {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return nullptr;

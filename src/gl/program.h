@@ -40,7 +40,8 @@ class Program
     GLuint id_ = 0;
 };
 
-// A program of one kernel, shaders/<file>. Error naming file and line, with the driver's log, where it does not compile or link.
+// A program of one kernel, shaders/<file>. Error naming file and line, with the driver's log, where it does not compile
+// or link.
 Program compute_program(std::string_view file, const std::vector<Define>& defines = {},
                         const std::vector<GeneratedInclude>& generated = {});
 

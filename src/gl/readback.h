@@ -16,8 +16,8 @@ class Readback
     Readback(const Readback&) = delete;
     Readback& operator=(const Readback&) = delete;
 
-    // Copies the first `bytes` bytes of `buffer`, as all earlier kernels leave them, into a staging buffer, and returns at once.
-    // A copy not yet finished is dropped.
+    // Copies the first `bytes` bytes of `buffer`, as all earlier kernels leave them, into a staging buffer, and returns
+    // at once. A copy not yet finished is dropped.
     void begin(GLuint buffer, std::size_t bytes);
 
     // Waits for the copy of the last begin and hands it out; `bytes` is at most as long as it.

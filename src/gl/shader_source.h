@@ -26,10 +26,10 @@ struct ShaderSource
     std::vector<std::string> files;  // by the number that #line gives them in `text`
 };
 
-// The file `shaders/<file>` with every line `#include "path"` replaced by that file, as often as it is written, whatever #if it
-// stands in. A path is relative to shaders/, with or without that word in front.
-// Error naming file and line where one cannot be read, where includes are nested more than 16 deep, or where the first line of
-// `file` is not `#version 430 core`.
+// The file `shaders/<file>` with every line `#include "path"` replaced by that file, as often as it is written,
+// whatever #if it stands in. A path is relative to shaders/, with or without that word in front.
+// Error naming file and line where one cannot be read, where includes are nested more than 16 deep, or where the first
+// line of `file` is not `#version 430 core`.
 ShaderSource expand_shader(std::string_view file, std::span<const Define> defines = {},
                            std::span<const GeneratedInclude> generated = {});
 

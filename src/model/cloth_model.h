@@ -1,7 +1,6 @@
 // What does not change while a cloth moves: mesh, springs, vertex areas and pins, for all sheets of a scene together.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -52,8 +51,8 @@ struct ClothModel
 // Error naming the sheet where its mesh, pins or start positions do not fit.
 ClothModel build_cloth_model(std::span<const SheetSource> sheets, MassLumping lumping);
 
-// A flat grid of columns x rows vertices, the corner (column 0, row 0) at `origin`, columns along `across` and rows along `down`
-// (whole sides, [m]); two triangles a cell, both cut along the same diagonal.
+// A flat grid of columns x rows vertices, the corner (column 0, row 0) at `origin`, columns along `across` and rows
+// along `down` (whole sides, [m]); two triangles a cell, both cut along the same diagonal.
 TriangleMesh grid_mesh(int columns, int rows, glm::vec3 origin, glm::vec3 across, glm::vec3 down);
 
 }  // namespace nuno

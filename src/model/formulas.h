@@ -1,5 +1,5 @@
-// The shared physics formulas as C++: `formulas` in float, `formulas_f64` in double, `formulas_wide` for kLanes particles at once.
-// All three and the GLSL kernels (shaders/shared/dialect.glsl) read the same text.
+// The shared physics formulas as C++: `formulas` in float, `formulas_f64` in double, `formulas_wide` for kLanes
+// particles at once. All three and the GLSL kernels (shaders/shared/dialect.glsl) read the same text.
 #pragma once
 
 #include <algorithm>

@@ -17,7 +17,8 @@
 namespace nuno {
 namespace {
 
-// The reader below takes what it cannot parse for 0 and forgives missing vertices, so numbers and indices are checked first.
+// The reader below takes what it cannot parse for 0 and forgives missing vertices, so numbers and indices are checked
+// first.
 class ObjCheck
 {
   public:

@@ -37,8 +37,9 @@ std::vector<Offset> frequent_offsets(std::span<const Spring> springs, SpringKind
     return offsets;
 }
 
-// Fills the slots of a kind: a frequent offset has a slot of its own, so that in rows of a grid the neighbours in one slot follow one
-// another from vertex to vertex; the other springs take the slots that are left, in the order of `springs`.
+// Fills the slots of a kind: a frequent offset has a slot of its own, so that in rows of a grid the neighbours in one
+// slot follow one another from vertex to vertex; the other springs take the slots that are left, in the order of
+// `springs`.
 void place_springs(SpringTable& table, std::span<const Spring> springs, SpringKind kind)
 {
     const int first = table.first_slot[static_cast<int>(kind)], end = table.first_slot[static_cast<int>(kind) + 1];

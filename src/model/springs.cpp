@@ -12,7 +12,8 @@ namespace nuno {
 void append_grid_springs(std::vector<Spring>& springs, std::span<const glm::vec3> positions, std::uint32_t first,
                          int columns, int rows)
 {
-    // One half of the seed's 12 neighbours: every spring is met once, from the end that comes first in this list's direction.
+    // One half of the seed's 12 neighbours: every spring is met once, from the end that comes first in this list's
+    // direction.
     struct Offset
     {
         int i, j;

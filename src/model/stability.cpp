@@ -10,7 +10,8 @@
 namespace nuno {
 namespace {
 
-// Largest eigenvalue of a symmetric, positive semi-definite 3x3 matrix, by its characteristic cubic in trigonometric form.
+// Largest eigenvalue of a symmetric, positive semi-definite 3x3 matrix, by its characteristic cubic in trigonometric
+// form.
 double largest_eigenvalue(const glm::dmat3& a)
 {
     const double mean = (a[0][0] + a[1][1] + a[2][2]) / 3;

@@ -21,12 +21,12 @@ struct TriangleMesh
 // Area of a face [m2].
 float face_area(const TriangleMesh& mesh, const glm::uvec3& face);
 
-// A Wavefront OBJ file, every polygon cut into triangles; a vertex without texture coordinates gets its place in the bounding box.
-// Error (path, and line or element) where it cannot be read or check_mesh refuses it.
+// A Wavefront OBJ file, every polygon cut into triangles; a vertex without texture coordinates gets its place in the
+// bounding box. Error (path, and line or element) where it cannot be read or check_mesh refuses it.
 TriangleMesh load_obj(const std::filesystem::path& path);
 
-// Error, prefixed by `where`, for a mesh that is no cloth: no vertices or faces, a position that is not finite, an index out of
-// range, a face of zero area, or a vertex in no face.
+// Error, prefixed by `where`, for a mesh that is no cloth: no vertices or faces, a position that is not finite, an
+// index out of range, a face of zero area, or a vertex in no face.
 void check_mesh(const TriangleMesh& mesh, std::string_view where);
 
 }  // namespace nuno

@@ -10,7 +10,8 @@
 
 #define NUNO_WIDE_INLINE inline __attribute__((always_inline))
 
-// One clone per instruction set, chosen when the program starts. Sanitizers cannot run the chooser, clang 14 lacks the names.
+// One clone per instruction set, chosen when the program starts. Sanitizers cannot run the chooser, clang 14 lacks the
+// names.
 #if defined(NUNO_SANITIZED) || defined(__clang__)
 #define NUNO_SIMD_CLONES
 #else

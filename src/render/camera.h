@@ -30,7 +30,8 @@ struct Ray
 // Through the point `pixel` of a picture of `size` pixels, counted from its top left corner; the centre is size / 2.
 Ray ray_through(const Camera& camera, glm::vec2 pixel, glm::vec2 size);
 
-// The mouse was dragged by `pixels` (x right, y down): turns the camera around its target, half a turn over `height` pixels.
+// The mouse was dragged by `pixels` (x right, y down): turns the camera around its target, half a turn over `height`
+// pixels.
 void orbit(ViewParams& params, glm::vec2 pixels, float height);
 
 // Moves camera and target with the picture, so that the point under the mouse stays there at the target's distance.

@@ -14,8 +14,8 @@ class FloorShadow
   public:
     FloorShadow();
 
-    // Draws what stands in the key light as seen from it, and softens it. Draws into its own texture, with the uniform block View
-    // bound; the caller binds its framebuffer and viewport again.
+    // Draws what stands in the key light as seen from it, and softens it. Draws into its own texture, with the uniform
+    // block View bound; the caller binds its framebuffer and viewport again.
     void update(const ClothRenderer& cloth, const SphereRenderer& spheres) const;
 
     // Binds the texture, 1 in full shadow, for a sampler2D whose binding is `unit`.

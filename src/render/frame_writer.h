@@ -22,8 +22,8 @@ class FrameWriter
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    // Takes a frame; waits while several are queued. After a frame could not be written, no later one is: every call throws
-    // that frame's Error.
+    // Takes a frame; waits while several are queued. After a frame could not be written, no later one is: every call
+    // throws that frame's Error.
     void push(std::filesystem::path path, Picture picture);
 
     // Waits until every frame is on the disk. Error where one could not be written.

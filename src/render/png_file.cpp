@@ -13,7 +13,8 @@
 namespace nuno {
 namespace {
 
-// What the callbacks of libpng reach: it leaves by longjmp, so nothing that has a destructor lives in the frames it crosses.
+// What the callbacks of libpng reach: it leaves by longjmp, so nothing that has a destructor lives in the frames it
+// crosses.
 struct Encoder
 {
     png_structp png = nullptr;

@@ -34,8 +34,8 @@ class SceneView
     // Positions that the CPU holds, as a buffer that the draws below take.
     GLuint upload_positions(std::span<const glm::vec4> positions) { return cloth_.upload_positions(positions); }
 
-    // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels leave it.
-    // Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
+    // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels
+    // leave it. Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
     void draw(const ViewParams& params, GLuint positions, const Colliders& colliders, const Viewport& viewport);
 
     // Draws params.width x height pixels off screen and waits for them.

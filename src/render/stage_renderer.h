@@ -11,8 +11,8 @@ class StageRenderer
   public:
     StageRenderer();
 
-    // Both draw with the uniform block View bound, after all that stands in front of them. The floor is seen from above only,
-    // and shows the texture bound to UNIT_FLOOR_SHADOW.
+    // Both draw with the uniform block View bound, after all that stands in front of them. The floor is seen from above
+    // only, and shows the texture bound to UNIT_FLOOR_SHADOW.
     void draw_floor() const;
     void draw_background() const;
 

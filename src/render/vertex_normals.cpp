@@ -9,7 +9,8 @@
 namespace nuno {
 namespace {
 
-// The faces of each vertex: those of vertex v are corners[starts[v]] .. corners[starts[v + 1]], each the two other vertices.
+// The faces of each vertex: those of vertex v are corners[starts[v]] .. corners[starts[v + 1]], each the two other
+// vertices.
 struct CornerTable
 {
     std::vector<std::uint32_t> starts;

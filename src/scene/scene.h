@@ -1,4 +1,5 @@
-// A scene: sheets, bodies, parameters, and the check that it must pass at its end. Read from a .toml file (docs/scenes.md).
+// A scene: sheets, bodies, parameters, and the check that it must pass at its end. Read from a .toml file
+// (docs/scenes.md).
 #pragma once
 
 #include <filesystem>
@@ -48,7 +49,8 @@ struct Scene
     EndCheck check;
 };
 
-// `name_or_path`: a name that scene_names lists, or the path of a .toml file. Error with file and line for everything that is wrong in it.
+// `name_or_path`: a name that scene_names lists, or the path of a .toml file. Error with file and line for everything
+// that is wrong in it.
 Scene load_scene(std::string_view name_or_path);
 
 // Names of the scenes in assets/scenes, sorted.

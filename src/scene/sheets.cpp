@@ -72,8 +72,8 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
         sheet.pins_where, name, nearest_name(name, names), join_choices(names)));
 }
 
-// Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle against the flat
-// sheet, so that no thread is stretched. The middle stays where it is.
+// Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle
+// against the flat sheet, so that no thread is stretched. The middle stays where it is.
 std::vector<glm::vec3> pleated(const SheetSpec& sheet, const TriangleMesh& mesh)
 {
     const float width = glm::length(sheet.across), strip = width / static_cast<float>(sheet.pleats);

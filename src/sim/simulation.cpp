@@ -193,7 +193,8 @@ void Simulation::run_substeps(int first, int last)
     }
 }
 
-// Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand would slide.
+// Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand
+// would slide.
 void Simulation::move_held_vertex(float duration_s)
 {
     const SpringTable& table = model_->spring_table;

@@ -30,16 +30,16 @@ class Simulation
     double time_s() const { return time_s_; }
     int thread_count() const { return pool_->thread_count(); }
 
-    // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the start
-    // (needs_restart) starts again. Error (nothing changed) where they do not work.
+    // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the
+    // start (needs_restart) starts again. Error (nothing changed) where they do not work.
     void set_params(const SimParams& params);
     void restart();
 
-    // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps, vertex and a
-    // setting that would hold, where a number is no longer finite.
+    // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps,
+    // vertex and a setting that would hold, where a number is no longer finite.
     FrameStats advance_frame();
-    // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot keep up
-    // slows the cloth down. The statistics are those of the frames that ran.
+    // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot
+    // keep up slows the cloth down. The statistics are those of the frames that ran.
     std::vector<FrameStats> advance(double elapsed_s);
 
     // The state now; copied from the device when first asked for after a frame.
@@ -48,8 +48,8 @@ class Simulation
     // OpenGL name of the positions, 0 on the cpu backend.
     std::uint32_t position_buffer() const { return solver_->position_buffer(); }
 
-    // Drags a vertex towards `target` [m] until it is released, no faster than a hand and no further than its threads can stretch.
-    // A pinned vertex stays pinned where it is left.
+    // Drags a vertex towards `target` [m] until it is released, no faster than a hand and no further than its threads
+    // can stretch. A pinned vertex stays pinned where it is left.
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
 

@@ -26,7 +26,8 @@ std::vector<Define> euler_defines(const SpringTable& table, const Colliders& col
             {"SPHERE_COUNT", std::to_string(colliders.spheres.size())}};
 }
 
-// The bodies of a scene as the kernel reads them: planes, one more, spheres, one more. Error where this device has no room for them.
+// The bodies of a scene as the kernel reads them: planes, one more, spheres, one more. Error where this device has no
+// room for them.
 std::vector<glm::vec4> collider_block(const Colliders& colliders)
 {
     std::vector<glm::vec4> block;
@@ -78,7 +79,8 @@ std::string_view GpuEuler::name() const
     return method_ == Method::explicit_euler ? "explicit_euler on gpu" : "symplectic_euler on gpu";
 }
 
-// Four slots a texel: texel (quad, vertex) is at quad * vertex_count + vertex, so that neighbouring invocations read neighbouring texels.
+// Four slots a texel: texel (quad, vertex) is at quad * vertex_count + vertex, so that neighbouring invocations read
+// neighbouring texels.
 void GpuEuler::upload_springs(const SpringTable& table)
 {
     const std::size_t n = vertex_count_, slots = static_cast<std::size_t>(table.slot_count());

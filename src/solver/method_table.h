@@ -22,7 +22,8 @@ struct MethodInfo
 std::span<const MethodInfo> method_table();
 
 // A solver for params.method on params.backend. On gpu a context must be current, and stay so for the solver's life.
-// `model`, `colliders` and `pool` must outlive it. Error where the backend lacks the method; it lists those that are there.
+// `model`, `colliders` and `pool` must outlive it. Error where the backend lacks the method; it lists those that are
+// there.
 std::unique_ptr<ClothSolver> make_solver(const ClothModel& model, const Colliders& colliders, const SimParams& params,
                                          ThreadPool& pool);
 

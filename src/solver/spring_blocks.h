@@ -9,9 +9,10 @@
 
 namespace nuno {
 
-// One slot of one block. Where the neighbours of its lanes follow one another (as they do in rows of a grid, whichever file it came from),
-// `run` is the neighbour of lane 0 and they are read as one vector; it may lie up to kLanes - 1 before the first vertex or reach as far
-// past the last, where lanes without a spring point. Elsewhere `run` is kGather and each lane reads its own neighbour.
+// One slot of one block. Where the neighbours of its lanes follow one another (as they do in rows of a grid, whichever
+// file it came from), `run` is the neighbour of lane 0 and they are read as one vector; it may lie up to kLanes - 1
+// before the first vertex or reach as far past the last, where lanes without a spring point. Elsewhere `run` is kGather
+// and each lane reads its own neighbour.
 struct SpringBlockSlot
 {
     std::int32_t run;

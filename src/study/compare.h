@@ -43,12 +43,13 @@ struct ComparePoint
 // Called before each point; false ends the study with what is done.
 using CompareProgress = std::function<bool(int done, int total, const std::string& what)>;
 
-// An OpenGL context must be current. Runs of the two backends are interleaved. `sizes`: vertices along the longer side of grids.
+// An OpenGL context must be current. Runs of the two backends are interleaved. `sizes`: vertices along the longer side
+// of grids.
 std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
                                            std::span<const int> sizes, const CompareProgress& progress);
 
-// True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep elsewhere;
-// and where every number is finite.
+// True where every point agrees as far as it must: bit for bit on a software renderer, to 1e-5 m after one substep
+// elsewhere; and where every number is finite.
 bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl);
 
 std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl);

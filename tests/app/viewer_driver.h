@@ -24,15 +24,15 @@ struct ControlPlace
 class ViewerDriver
 {
   public:
-    // Starts `nuno view WORDS... --log-actions` in a directory of its own, on a display of that many dots per inch (0: not said),
-    // and waits until its panel is there.
+    // Starts `nuno view WORDS... --log-actions` in a directory of its own, on a display of that many dots per inch (0:
+    // not said), and waits until its panel is there.
     explicit ViewerDriver(const std::vector<std::string>& words, int dpi = 0);
 
     RunningProgram& program() { return *program_; }
     const std::filesystem::path& directory() const { return directory_.path(); }
 
-    // Waits for the next line "view: frame N: TEXT" whose text holds `pattern`; the groups of the pattern, with the whole line
-    // as [0], and N.
+    // Waits for the next line "view: frame N: TEXT" whose text holds `pattern`; the groups of the pattern, with the
+    // whole line as [0], and N.
     struct Line
     {
         int frame;

@@ -15,7 +15,8 @@
 namespace nuno {
 namespace {
 
-// A place of the default window (1280 x 720) where the start of the scene `seed` has cloth, and one where there is only floor.
+// A place of the default window (1280 x 720) where the start of the scene `seed` has cloth, and one where there is only
+// floor.
 constexpr int kClothX = 800, kClothY = 300, kFloorX = 1150, kFloorY = 660;
 
 std::string steps(int count)
@@ -30,7 +31,8 @@ glm::dvec3 vector_of(const std::vector<std::string>& groups, std::size_t first)
     return {std::stod(groups[first]), std::stod(groups[first + 1]), std::stod(groups[first + 2])};
 }
 
-// The number that ImGui's logarithmic slider from 0 to 1000 gives at a share of its width: 0.001 to 1000 along its usable part.
+// The number that ImGui's logarithmic slider from 0 to 1000 gives at a share of its width: 0.001 to 1000 along its
+// usable part.
 double log_slider_value(const ControlPlace& slider, int x)
 {
     constexpr double kPadding = 2, kGrab = 11;
@@ -111,7 +113,8 @@ TEST_F(ViewerTest, a_dragged_vertex_follows_the_mouse)
     const auto released = viewer.wait_for("released vertex ([0-9]+) at (\\S+) (\\S+) (\\S+)");
     EXPECT_EQ(released.groups[1], held.groups[1]);
     const glm::dvec3 way = vector_of(released.groups, 2) - vector_of(held.groups, 2);
-    // The scene's camera stands at azimuth 30 degrees: to its right is (cos 30, 0, -sin 30). A pixel there is about 2.5 mm.
+    // The scene's camera stands at azimuth 30 degrees: to its right is (cos 30, 0, -sin 30). A pixel there is about 2.5
+    // mm.
     const double right = glm::dot(way, glm::dvec3(0.8660, 0, -0.5));
     // The cloth holds the vertex back, so it lags; but it comes, and straight.
     EXPECT_GT(right, 0.02);

@@ -60,8 +60,8 @@ bool may_stand_in(std::span<const std::string_view> allowed, std::string_view fi
                        [&](std::string_view path) { return !path.empty() && file.starts_with(path); });
 }
 
-// The path from the root that a quoted include of `file` names. Shaders may leave out "shaders/", a name without a folder
-// lies beside the file.
+// The path from the root that a quoted include of `file` names. Shaders may leave out "shaders/", a name without a
+// folder lies beside the file.
 std::string target_of(std::string_view file, const std::string& include)
 {
     if (include.find('/') == std::string::npos) return std::string(file.substr(0, file.rfind('/') + 1)) + include;

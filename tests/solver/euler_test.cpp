@@ -49,7 +49,8 @@ ClothModel pendulum_triangle(float half_width, float depth)
 class EulerTest : public testing::TestWithParam<Method>
 {};
 
-// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); first order: the error halves with h.
+// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); first order: the error halves
+// with h.
 TEST_P(EulerTest, free_fall_with_drag_follows_the_closed_form_at_first_order)
 {
     const ClothModel model = square_cloth(10, 1);
@@ -113,7 +114,8 @@ std::vector<Method> every_method()
 
 INSTANTIATE_TEST_SUITE_P(Methods, EulerTest, testing::ValuesIn(every_method()));
 
-// Along y the two springs act as k_eff = 2 k (depth / length)^2; symplectic Euler oscillates at (2 / h) asin(omega h / 2).
+// Along y the two springs act as k_eff = 2 k (depth / length)^2; symplectic Euler oscillates at (2 / h) asin(omega h /
+// 2).
 TEST(SymplecticEuler, a_mass_on_springs_swings_with_the_period_of_theory)
 {
     const float half_width = 0.3f, depth = 0.4f;

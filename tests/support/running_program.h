@@ -1,4 +1,5 @@
-// A program that runs beside the test: what it says on stderr is waited for line by line, and it never outlives the test.
+// A program that runs beside the test: what it says on stderr is waited for line by line, and it never outlives the
+// test.
 #pragma once
 
 #include <sys/types.h>

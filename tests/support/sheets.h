@@ -13,7 +13,8 @@ SheetSource square_sheet(int count, float side, std::vector<std::uint32_t> pins 
 ClothModel square_cloth(int count, float side, std::vector<std::uint32_t> pins = {},
                         MassLumping lumping = MassLumping::equal);
 
-// The same sheet as a mesh without rows and columns; its vertices shuffled within windows of `window`, if that is over 1.
+// The same sheet as a mesh without rows and columns; its vertices shuffled within windows of `window`, if that is over
+// 1.
 SheetSource square_mesh(int count, float side, std::size_t window = 1);
 
 }  // namespace nuno
