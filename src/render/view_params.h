@@ -26,15 +26,11 @@ std::span<const std::string_view> choice_names(Background);
 
 struct ViewParams
 {
-#define NUNO_FLOAT(name, value, min, max, unit, group, help) float name = value;
-#define NUNO_INT(name, value, min, max, unit, group, help) std::int32_t name = value;
-#define NUNO_BOOL(name, value, group, help) std::int32_t name = value;
-#define NUNO_CHOICE(Type, name, value, group, help) Type name = Type::value;
+#include "core/param_fields.inc"
+//
 #include "render/view_params.def"
-#undef NUNO_FLOAT
-#undef NUNO_INT
-#undef NUNO_BOOL
-#undef NUNO_CHOICE
+//
+#include "core/param_rows_end.inc"
 };
 
 ParamTable view_param_table();

@@ -16,7 +16,6 @@ struct MethodInfo
     std::string_view name;
     int order;  // of the error in the substep
     bool on_cpu, on_gpu;
-    std::string_view stability;  // when it is stable, in one line
 };
 
 std::span<const MethodInfo> method_table();
