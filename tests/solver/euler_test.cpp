@@ -56,8 +56,8 @@ int order_of(Method method)
 class EulerTest : public testing::TestWithParam<Method>
 {};
 
-// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); first order: the error halves
-// with h.
+// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); halving h
+// divides the error by 2 to the order of the method.
 TEST_P(EulerTest, free_fall_with_drag_follows_the_closed_form_at_the_order_of_the_method)
 {
     const ClothModel model = square_cloth(10, 1);
