@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "core/files.h"
+#include "support/child_process.h"
 
 namespace nuno {
 
@@ -26,24 +27,13 @@ void limit_file_size(long bytes)
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-[[noreturn]] void become_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
-                                 const ProgramLimits& limits, const fs::path& out, const fs::path& err)
+[[noreturn]] void become_nuno(std::vector<std::string> words, const std::vector<std::string>& environment,
+                              const ProgramLimits& limits, const fs::path& out, const fs::path& err)
 {
     if (limits.file_bytes > 0) limit_file_size(limits.file_bytes);
-    for (const std::string& setting : environment) {
-        const std::size_t equals = setting.find('=');
-        const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-        if (value.empty())
-            unsetenv(name.c_str());
-        else
-            setenv(name.c_str(), value.c_str(), 1);
-    }
     if (!std::freopen(out.c_str(), "w", stdout) || !std::freopen(err.c_str(), "w", stderr)) _exit(126);
-    std::vector<char*> arguments{const_cast<char*>(NUNO_PROGRAM)};
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    execv(NUNO_PROGRAM, arguments.data());
-    _exit(127);
+    words.insert(words.begin(), NUNO_PROGRAM);
+    become_program(words, environment);
 }
 
 }  // namespace
@@ -54,7 +44,7 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::vect
     const TemporaryDirectory directory;
     const fs::path out = directory.path() / "out", err = directory.path() / "err";
     const pid_t child = fork();
-    if (child == 0) become_program(words, environment, limits, out, err);
+    if (child == 0) become_nuno(words, environment, limits, out, err);
     int status = 0;
     if (!limits.interrupt_at.empty()) {
         while (!fs::exists(limits.interrupt_at) && waitpid(child, &status, WNOHANG) == 0) usleep(1000);

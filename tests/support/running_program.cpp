@@ -2,7 +2,6 @@
 #include "support/running_program.h"
 
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "support/child_process.h"
 
 namespace nuno {
 namespace {
@@ -29,23 +30,9 @@ Clock::time_point after(double seconds)
 
 [[noreturn]] void become(const ProgramStart& start, int err)
 {
-    // The test may be killed for taking too long; what it started must end with it.
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const std::string& setting : start.environment) {
-        const std::size_t equals = setting.find('=');
-        const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-        if (value.empty())
-            unsetenv(name.c_str());
-        else
-            setenv(name.c_str(), value.c_str(), 1);
-    }
     dup2(err, STDERR_FILENO);
     if (!start.directory.empty() && chdir(start.directory.c_str()) != 0) _exit(126);
-    std::vector<char*> arguments;
-    for (const std::string& word : start.words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
-    _exit(127);
+    become_program(start.words, start.environment);
 }
 
 std::vector<std::string> groups_of(const std::smatch& match) { return {match.begin(), match.end()}; }
