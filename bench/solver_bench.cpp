@@ -44,13 +44,13 @@ void run(benchmark::State& state, Backend backend, Layout layout)
     static const std::unique_ptr<Context> context = make_headless_context();
     constexpr int kSubsteps = 50;
     const ClothModel model = make_model(static_cast<int>(state.range(0)), layout);
-    const Colliders colliders;
+    const Bodies bodies;
     ThreadPool pool(static_cast<int>(state.range(1)));
     SimParams params;
     params.backend = backend;
     params.substeps = 1000;
     params.wind_strength = 1;
-    const auto solver = make_solver(model, colliders, params, pool);
+    const auto solver = make_solver(model, bodies, params, pool);
     solver->upload(start_state(model, params));
     solver->step({params, 0, kSubsteps});
     for (auto _ : state) {

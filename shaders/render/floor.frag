@@ -18,7 +18,7 @@ float tiles(vec2 p)
     return 0.5 - 0.5 * wave.x * wave.y;
 }
 
-// How much of the key light cloth and spheres take away.
+// How much of the key light cloth and bodies take away.
 float shadow_at(vec2 on_floor)
 {
     if (shadow_centre.w == 0.0) return 0.0;

@@ -17,7 +17,7 @@ layout(std140, binding = BLOCK_VIEW) uniform View
     vec4 nadir_colour;
     vec4 tile_light;
     vec4 tile_dark;
-    vec4 sphere_colour;
+    vec4 body_colour;
     vec4 floor_plane;      // unit normal n, offset: n . x = offset [m]
     vec4 floor_centre;     // under the camera's target; w: distance over which the floor fades [m]
     vec4 floor_across;     // unit vector along the floor; w: half side of the floor that is drawn [m]

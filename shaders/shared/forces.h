@@ -1,11 +1,20 @@
 // The forces of the seed paper, section 2.2, on one particle [N].
 
-// Spring, eq. of 2.2.1: f = k (|d| - l0) d / |d|, d = x_j - x_i [m], l0 [m], k [N/m]. Zero for d = 0, where no
-// direction exists.
-SHARED_FN Vec3 spring_force(Vec3 d, Real rest_length, Real stiffness)
+// Spring, eq. of 2.2.1: f = k (|d| - l0) d / |d|, d = x_j - x_i [m], written as (stiffness - tension / |d|) d with
+// stiffness = k [N/m] and tension = k l0 [N], so that a linear stiffness can be added to the first. Zero for d = 0,
+// where no direction exists.
+SHARED_FN Vec3 spring_force(Vec3 d, Real stiffness, Real tension)
 {
     PRECISE Real length = max_real(vector_length(d), Real(1e-12f));
-    PRECISE Vec3 force = (stiffness * (length - rest_length) / length) * d;
+    PRECISE Vec3 force = (stiffness - tension / length) * d;
+    return force;
+}
+
+// Damper along a spring, stiffness-proportional (Rayleigh): f = c (n . u) n, c [kg/s], n = d / |d|, u = v_j - v_i.
+SHARED_FN Vec3 spring_damping_force(Vec3 d, Vec3 u, Real c)
+{
+    PRECISE Real length_sq = max_real(dot_product(d, d), Real(1e-24f));
+    PRECISE Vec3 force = (c * dot_product(d, u) / length_sq) * d;
     return force;
 }
 

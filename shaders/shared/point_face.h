@@ -6,13 +6,6 @@ struct FaceFoot
     Real distance;  // [m] from foot to point, negative on the side that the normal points away from
 };
 
-// e1 x e2: the normal of the face with these two edges, as long as twice its area [m2].
-SHARED_FN Vec3 area_vector(Vec3 e1, Vec3 e2)
-{
-    PRECISE Vec3 product = Vec3(e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x);
-    return product;
-}
-
 // The seed's system for the point x3 and the corners x0, x1, x2, with x_ij = x_j - x_i:
 //     x20.x23 = w0 x20.x20 + w1 x20.x21
 //     x21.x23 = w0 x21.x20 + w1 x21.x21,     w0 + w1 + w2 = 1

@@ -45,7 +45,7 @@ void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
     if (positions == 0) positions = pictures_->scene_view.upload_positions(simulation.state().positions);
     stage_ms.upload += watch.lap_ms();
     Picture picture;
-    pictures_->scene_view.draw_picture(view_, positions, simulation.scene().colliders, picture);
+    pictures_->scene_view.draw_picture(view_, positions, {simulation.scene().bodies, simulation.time_s()}, picture);
     stage_ms.render += watch.lap_ms();
     if (pictures_->video) pictures_->video->add(picture);
     if (plan_.images)

@@ -217,7 +217,7 @@ bool Panel::message_button(const std::string& text)
 void Panel::draw_parameters(ViewerSession& session)
 {
     // A row acts after all are drawn: a change may build another cloth.
-    const SimParams params = session.simulation().params(), scene_params = session.file_params();
+    const SimParams params = session.simulation().asked_params(), scene_params = session.file_params();
     const ParamRows rows{sim_param_table(), &params, &scene_params, kind_of_sim_row};
     for (const std::string_view group : ordered_groups(sim_param_table()))
         if (const auto edit = params_.draw_group(rows, group, opens_at_first(group)))

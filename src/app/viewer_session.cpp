@@ -146,7 +146,7 @@ void ViewerSession::load(const std::string& name_or_path)
 
 void ViewerSession::set_sim_param(const ParamInfo& info, double value)
 {
-    SimParams params = simulation_->params();
+    SimParams params = simulation_->asked_params();
     try {
         set_param(info, &params, value, "panel");
         // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
@@ -186,7 +186,7 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
     else if (positions == 0)
         positions = picture_->upload_positions(simulation_->state().positions);
     stage_ms.upload += watch.elapsed_ms();
-    picture_->draw(view_, positions, simulation_->scene().colliders, viewport);
+    picture_->draw(view_, positions, {simulation_->scene().bodies, simulation_->time_s()}, viewport);
 }
 
 void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine)

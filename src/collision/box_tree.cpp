@@ -14,7 +14,7 @@ namespace nuno {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-const Box kEmptyBox = {all_lanes(kInfinity), all_lanes(-kInfinity)};
+const Bounds kEmptyBox = {all_lanes(kInfinity), all_lanes(-kInfinity)};
 
 // Meshes with fewer faces are refitted and queried in less time than it takes to wake a thread.
 constexpr std::uint32_t kLargeFaceCount = 4096;
@@ -34,14 +34,14 @@ int longest_axis(std::span<const std::uint32_t> faces, std::span<const glm::vec3
 }
 
 // The box grown by the margin, and by a quarter of a millionth of its coordinates for their rounding.
-Box grown(const Box& box, BoxMargin margin)
+Bounds grown(const Bounds& box, BoxMargin margin)
 {
     const Float4 growth = all_lanes(margin.relative) * (box.hi - box.lo) + all_lanes(margin.absolute) +
                           all_lanes(0x1p-22f) * greater(-box.lo, box.hi);
     return {box.lo - growth, box.hi + growth};
 }
 
-Box corner_box(const glm::uvec3& face, std::span<const glm::vec4> positions)
+Bounds corner_box(const glm::uvec3& face, std::span<const glm::vec4> positions)
 {
     const Float4 a = lanes_of(positions[face.x]), b = lanes_of(positions[face.y]), c = lanes_of(positions[face.z]);
     return {lesser(lesser(a, b), c), greater(greater(a, b), c)};
@@ -153,10 +153,10 @@ void BoxTree::refit_nodes(ThreadPool& pool, BoxMargin margin, const FaceBox& fac
     bottom_up(pool, [&](std::uint32_t index) {
         Node& node = nodes_[index];
         const bool block = is_block(index);
-        Box all = kEmptyBox;
+        Bounds all = kEmptyBox;
         for (int slot = 0; slot < 4 && node.child[slot] != kNoChild; ++slot) {
             const std::uint32_t child = node.child[slot];
-            const Box box = block ? grown(face_box(faces_[child]), margin) : boxes_[child];
+            const Bounds box = block ? grown(face_box(faces_[child]), margin) : boxes_[child];
             for (int axis = 0; axis < 3; ++axis) {
                 node.lo[axis][slot] = box.lo[axis];
                 node.hi[axis][slot] = box.hi[axis];

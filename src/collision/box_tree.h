@@ -98,15 +98,15 @@ class BoxTree
     std::vector<glm::uvec3> faces_;
     std::vector<std::uint32_t> vertices_;
     std::vector<Node> nodes_;
-    std::vector<Box> boxes_;                // of every node
+    std::vector<Bounds> boxes_;                // of every node
     std::vector<std::uint32_t> subtrees_;   // roots of the subtrees refitted by one thread each; none in a small tree
     std::vector<std::uint32_t> top_nodes_;  // the nodes above them, in preorder
-    std::vector<Box> normal_bounds_;        // of every node: the box of its faces' unit normals
+    std::vector<Bounds> normal_bounds_;        // of every node: the box of its faces' unit normals
     std::vector<std::uint8_t> culled_;      // of every node: Culling::seed does not look for contacts within it
 };
 
 // The children of `node` whose boxes overlap `box`, one bit each.
-inline unsigned overlapping_children(const BoxTree::Node& node, const Box& box)
+inline unsigned overlapping_children(const BoxTree::Node& node, const Bounds& box)
 {
     Int4 lanes = (node.lo[0] <= all_lanes(box.hi[0])) & (node.hi[0] >= all_lanes(box.lo[0]));
     lanes &= (node.lo[1] <= all_lanes(box.hi[1])) & (node.hi[1] >= all_lanes(box.lo[1]));

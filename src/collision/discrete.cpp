@@ -60,7 +60,7 @@ std::span<const Contact> ContactSearch::find(const BoxTree& tree, std::span<cons
     const Float4 margin = all_lanes(contact_margin(range).absolute);
     const auto box_of = [&](std::uint32_t vertex) {
         const Float4 at = lanes_of(positions[vertex]);
-        return Box{at - margin, at + margin};
+        return Bounds{at - margin, at + margin};
     };
     run_tasks(pool, task_count, [&](int task) {
         append_contacts(tree.faces(), positions, range, query_.run(task, box_of), found_[task]);

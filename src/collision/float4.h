@@ -35,11 +35,11 @@ inline unsigned lane_bits(Int4 mask)
 }
 
 // An axis-aligned box; lanes 0, 1, 2 are x, y, z, lane 3 is not read.
-struct Box
+struct Bounds
 {
     Float4 lo, hi;
 };
 
-inline Box hull(const Box& a, const Box& b) { return {lesser(a.lo, b.lo), greater(a.hi, b.hi)}; }
+inline Bounds hull(const Bounds& a, const Bounds& b) { return {lesser(a.lo, b.lo), greater(a.hi, b.hi)}; }
 
 }  // namespace nuno

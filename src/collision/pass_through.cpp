@@ -111,7 +111,7 @@ std::vector<VertexFace> find_pass_through(BoxTree& tree, std::span<const glm::ve
     const auto path = [&](std::uint32_t vertex) { return path_of(vertex, positions_t0, positions_t1); };
     const auto box_of = [&](std::uint32_t vertex) {
         const Float4 t0 = lanes_of(positions_t0[vertex]), t1 = lanes_of(positions_t1[vertex]);
-        return Box{lesser(t0, t1), greater(t0, t1)};
+        return Bounds{lesser(t0, t1), greater(t0, t1)};
     };
     run_tasks(pool, task_count, [&](int task) {
         for (const VertexFace pair : query.run(task, box_of)) {

@@ -27,6 +27,9 @@ std::size_t texel_bytes(GLenum format)
     }
 }
 
+// A unit that no kernel reads (OpenGL 4.3 has at least 96), so that what is bound for kernels stays bound.
+constexpr GLuint kViewUnit = 95;
+
 }  // namespace
 
 BufferTexture::BufferTexture(GLenum format) : format_(format) { glGenTextures(1, &id_); }
@@ -54,6 +57,7 @@ void BufferTexture::view(GLuint buffer, std::size_t bytes)
             fmt::format("OpenGL: {} texels of a buffer are needed, but this device views at most {} at once; "
                         "lower the resolution or use the cpu backend",
                         texels, most));
+    glActiveTexture(GL_TEXTURE0 + kViewUnit);
     glBindTexture(GL_TEXTURE_BUFFER, id_);
     glTexBuffer(GL_TEXTURE_BUFFER, format_, buffer);
 }

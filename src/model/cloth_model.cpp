@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include <glm/geometric.hpp>
+
 #include "core/error.h"
+#include "model/springs.h"
 
 namespace nuno {
 namespace {
@@ -31,10 +35,35 @@ void check_source(const SheetSource& source, const std::string& where)
     if (!source.start.empty() && source.start.size() != source.mesh.positions.size())
         throw Error(fmt::format("{}: {} start positions for {} vertices; give one for each", where, source.start.size(),
                                 source.mesh.positions.size()));
-    for (const std::uint32_t pin : source.pins)
+    std::vector<std::uint32_t> pins = source.pins;
+    for (const HandlePin& pin : source.handle_pins) pins.push_back(pin.vertex);
+    for (const std::uint32_t pin : pins)
         if (pin >= source.mesh.positions.size())
             throw Error(fmt::format("{}: pin {} names no vertex; there are {} (0 to {})", where, pin,
                                     source.mesh.positions.size(), source.mesh.positions.size() - 1));
+}
+
+// The warp of a grid runs along its columns.
+glm::vec3 grid_warp(const SheetSource& source)
+{
+    const std::size_t below = static_cast<std::size_t>(source.columns);
+    const std::uint32_t top = source.grid_order.empty() ? 0 : source.grid_order[0];
+    const std::uint32_t next = source.grid_order.empty() ? static_cast<std::uint32_t>(below) : source.grid_order[below];
+    return glm::normalize(source.mesh.positions[next] - source.mesh.positions[top]);
+}
+
+void append_handle_pins(ClothModel& model, const SheetSource& source, std::uint32_t first)
+{
+    const auto added = static_cast<std::ptrdiff_t>(model.handle_pins.size());
+    for (const HandlePin& pin : source.handle_pins) {
+        model.pinned[first + pin.vertex] = 1;
+        model.handle_pins.push_back({first + pin.vertex, pin.handle});
+    }
+    std::stable_sort(model.handle_pins.begin() + added, model.handle_pins.end(),
+                     [](const HandlePin& a, const HandlePin& b) { return a.vertex < b.vertex; });
+    const auto same = [](const HandlePin& a, const HandlePin& b) { return a.vertex == b.vertex; };
+    model.handle_pins.erase(std::unique(model.handle_pins.begin() + added, model.handle_pins.end(), same),
+                            model.handle_pins.end());
 }
 
 void append_sheet(ClothModel& model, const SheetSource& source, MassLumping lumping)
@@ -44,7 +73,8 @@ void append_sheet(ClothModel& model, const SheetSource& source, MassLumping lump
     const std::uint32_t first = model.vertex_count();
     model.sheets.push_back({source.name, first, static_cast<std::uint32_t>(mesh.positions.size()),
                             static_cast<std::uint32_t>(model.faces.size()),
-                            static_cast<std::uint32_t>(mesh.faces.size()), source.columns, source.rows});
+                            static_cast<std::uint32_t>(mesh.faces.size()), source.columns, source.rows,
+                            source.grid_order});
 
     const std::vector<glm::vec3>& start = source.start.empty() ? mesh.positions : source.start;
     const std::vector<float> areas = vertex_areas(mesh, lumping);
@@ -55,12 +85,18 @@ void append_sheet(ClothModel& model, const SheetSource& source, MassLumping lump
     model.areas.insert(model.areas.end(), areas.begin(), areas.end());
     model.pinned.resize(model.rest_positions.size());
     for (const std::uint32_t pin : source.pins) model.pinned[first + pin] = 1;
-    for (const glm::uvec3& face : mesh.faces) model.faces.push_back(face + first);
+    append_handle_pins(model, source, first);
+    for (const glm::uvec3& face : mesh.faces) {
+        model.faces.push_back(face + first);
+        model.face_warps.push_back(source.columns > 0 ? grid_warp(source) : face_warp(mesh, face));
+    }
 
-    if (source.columns > 0)
-        append_grid_springs(model.springs, model.rest_positions, first, source.columns, source.rows);
+    const Sheet& sheet = model.sheets.back();
+    if (sheet.is_grid())
+        append_grid_springs(model.springs, model.rest_positions, sheet);
     else
-        append_mesh_springs(model.springs, model.rest_positions, std::span(model.faces).last(mesh.faces.size()));
+        append_mesh_springs(model.springs, model.rest_positions, std::span(model.faces).last(mesh.faces.size()),
+                            std::span(model.face_warps).last(mesh.faces.size()));
 }
 
 }  // namespace

@@ -7,20 +7,22 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/spring_weights.h"
+
 namespace nuno {
 namespace {
 
-// Spring energy 1/2 k (|d| - l0)^2 summed, and the largest structural strain.
+// Spring energy 1/2 axial (|d| - l0)^2 + 1/2 plate |d|^2 summed, and the largest strain of a thread.
 void measure_springs(const ClothModel& model, const ClothState& state, const SimParams& params, Diagnostics& d)
 {
-    const double stiffness[kSpringKindCount] = {params.structural_stiffness, params.shear_stiffness,
-                                                params.bend_stiffness};
-    for (const Spring& spring : model.springs) {
+    const std::vector<SpringWeight> weights = spring_weights(model, params);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Spring& spring = model.springs[i];
         const double length =
             glm::distance(glm::dvec3(state.positions[spring.a]), glm::dvec3(state.positions[spring.b]));
         const double stretch = length - double(spring.rest_length);
-        d.elastic_j += 0.5 * stiffness[static_cast<int>(spring.kind)] * stretch * stretch;
-        if (spring.kind == SpringKind::structural)
+        d.elastic_j += 0.5 * (double(weights[i].axial) * stretch * stretch + double(weights[i].plate) * length * length);
+        if (is_thread(spring.kind))
             d.max_strain = std::max(d.max_strain, std::abs(stretch) / double(spring.rest_length));
     }
 }

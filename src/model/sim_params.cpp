@@ -1,10 +1,28 @@
 // The table of simulation parameters.
 #include "model/sim_params.h"
 
+#include <algorithm>
+
+#include "model/fabric.h"
+
 namespace nuno {
 namespace {
 
-constexpr std::string_view kMethods[] = {"explicit_euler", "symplectic_euler"};
+constexpr std::string_view kFabrics[] = {"custom", "cotton", "silk", "wool", "denim"};
+constexpr std::string_view kInternalModels[] = {"springs", "fabric_springs", "continuum"};
+constexpr std::string_view kTethers[] = {"auto", "none", "pins", "contacts"};
+constexpr std::string_view kWindModels[] = {"sines", "aero"};
+constexpr std::string_view kMethods[] = {"auto",
+                                         "explicit_euler",
+                                         "symplectic_euler",
+                                         "verlet",
+                                         "rk4",
+                                         "xpbd",
+                                         "vbd",
+                                         "implicit_euler",
+                                         "sdirk2",
+                                         "reference"};
+constexpr std::string_view kSweeps[] = {"auto", "rows", "coloured", "jacobi"};
 constexpr std::string_view kBackends[] = {"cpu", "gpu"};
 constexpr std::string_view kCollisionLevels[] = {"none", "discrete"};
 constexpr std::string_view kCullings[] = {"none", "seed"};
@@ -12,7 +30,12 @@ constexpr std::string_view kMassLumpings[] = {"area", "equal"};
 
 }  // namespace
 
+std::span<const std::string_view> choice_names(Fabric) { return kFabrics; }
+std::span<const std::string_view> choice_names(InternalModel) { return kInternalModels; }
+std::span<const std::string_view> choice_names(Tethers) { return kTethers; }
+std::span<const std::string_view> choice_names(WindModel) { return kWindModels; }
 std::span<const std::string_view> choice_names(Method) { return kMethods; }
+std::span<const std::string_view> choice_names(Sweep) { return kSweeps; }
 std::span<const std::string_view> choice_names(Backend) { return kBackends; }
 std::span<const std::string_view> choice_names(CollisionLevel) { return kCollisionLevels; }
 std::span<const std::string_view> choice_names(Culling) { return kCullings; }
@@ -20,12 +43,18 @@ std::span<const std::string_view> choice_names(MassLumping) { return kMassLumpin
 
 ParamTable sim_param_table()
 {
-    static const ParamInfo table[] = {
+    static ParamInfo table[] = {
 #define NUNO_PARAM_BLOCK SimParams
 #include "core/param_rows.inc"
 #include "model/sim_params.def"
 #include "core/param_rows_end.inc"
     };
+    static const bool linked = [] {
+        const auto fabric = std::ranges::find(table, "fabric", &ParamInfo::name);
+        fabric->then = [](void* block) { apply_fabric(*static_cast<SimParams*>(block)); };
+        return true;
+    }();
+    static_cast<void>(linked);
     return table;
 }
 

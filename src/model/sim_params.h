@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string_view>
 
@@ -9,10 +10,51 @@
 
 namespace nuno {
 
+enum class Fabric : std::int32_t
+{
+    custom,
+    cotton,
+    silk,
+    wool,
+    denim
+};
+enum class InternalModel : std::int32_t
+{
+    springs,
+    fabric_springs,
+    continuum
+};
+enum class Tethers : std::int32_t
+{
+    automatic,
+    none,
+    pins,
+    contacts
+};
+enum class WindModel : std::int32_t
+{
+    sines,
+    aero
+};
 enum class Method : std::int32_t
 {
+    automatic,
     explicit_euler,
-    symplectic_euler
+    symplectic_euler,
+    verlet,
+    rk4,
+    xpbd,
+    vbd,
+    implicit_euler,
+    sdirk2,
+    reference
+};
+enum class Sweep : std::int32_t
+{
+    automatic,
+    rows,
+    coloured,
+    jacobi
 };
 enum class Backend : std::int32_t
 {
@@ -35,7 +77,12 @@ enum class MassLumping : std::int32_t
     equal
 };
 
+std::span<const std::string_view> choice_names(Fabric);
+std::span<const std::string_view> choice_names(InternalModel);
+std::span<const std::string_view> choice_names(Tethers);
+std::span<const std::string_view> choice_names(WindModel);
 std::span<const std::string_view> choice_names(Method);
+std::span<const std::string_view> choice_names(Sweep);
 std::span<const std::string_view> choice_names(Backend);
 std::span<const std::string_view> choice_names(CollisionLevel);
 std::span<const std::string_view> choice_names(Culling);
@@ -55,6 +102,9 @@ ParamTable sim_param_table();
 
 // True where a change of `name` rebuilds the cloth, so that the simulation starts again.
 bool needs_restart(std::string_view name);
+
+// True where all fields are equal, bit for bit.
+inline bool same_params(const SimParams& a, const SimParams& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 // Length of a substep [s]: 1 / (frame_rate substeps), rounded to float once, for both backends.
 inline float substep_s(const SimParams& p) { return static_cast<float>(1.0 / (double(p.frame_rate) * p.substeps)); }

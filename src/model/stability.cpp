@@ -1,4 +1,4 @@
-// Stability limits of the explicit methods.
+// Frequencies of a cloth, and stability limits.
 #include "model/stability.h"
 
 #include <algorithm>
@@ -6,6 +6,11 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "model/face_table.h"
+#include "model/spring_weights.h"
+#include "model/stiffness_product.h"
 
 namespace nuno {
 namespace {
@@ -24,50 +29,168 @@ double largest_eigenvalue(const glm::dmat3& a)
     return mean + 2 * scale * std::cos(std::acos(half_det) / 3);
 }
 
-}  // namespace
-
-double omega_max_bound(const ClothModel& model, const SimParams& params)
+double vertex_mass(const ClothModel& model, const SimParams& params, std::uint32_t v)
 {
-    const double stiffness[kSpringKindCount] = {params.structural_stiffness, params.shear_stiffness,
-                                                params.bend_stiffness};
+    return double(model.areas[v]) * double(params.areal_density);
+}
+
+double springs_omega_sq(const ClothModel& model, const SimParams& params)
+{
+    const std::vector<SpringWeight> weights = spring_weights(model, params);
     std::vector<glm::dmat3> blocks(model.vertex_count(), glm::dmat3(0));
-    for (const Spring& spring : model.springs) {
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Spring& spring = model.springs[i];
         const glm::dvec3 n =
             glm::normalize(glm::dvec3(model.rest_positions[spring.b] - model.rest_positions[spring.a]));
-        const glm::dmat3 block = stiffness[static_cast<int>(spring.kind)] * glm::outerProduct(n, n);
+        const glm::dmat3 block = double(weights[i].axial) * glm::outerProduct(n, n) +
+                                 std::abs(double(weights[i].plate)) * glm::dmat3(1);
         blocks[spring.a] += block;
         blocks[spring.b] += block;
     }
     double omega_sq = 0;
-    for (std::uint32_t v = 0; v < model.vertex_count(); ++v) {
-        if (model.pinned[v]) continue;
-        const double mass = double(model.areas[v]) * double(params.areal_density);
-        omega_sq = std::max(omega_sq, 2 * largest_eigenvalue(blocks[v]) / mass);
-    }
-    return std::sqrt(omega_sq);
+    for (std::uint32_t v = 0; v < model.vertex_count(); ++v)
+        if (!model.pinned[v])
+            omega_sq = std::max(omega_sq, 2 * largest_eigenvalue(blocks[v]) / vertex_mass(model, params, v));
+    return omega_sq;
 }
 
-double largest_stable_substep(const ClothModel& model, const SimParams& params)
+// Lower triangular L with L L^T = C.
+glm::dmat3 root_of_stiffness(const formulas::MembraneConstants& c)
 {
-    // A thread stretched to l pulls across its length, too: omega^2 grows by the factor 2 - l0 / l.
-    const double omega = omega_max_bound(model, params) * std::sqrt(2 - 1 / (1 + kStretchAllowedFor));
-    const double damping_rate = double(params.damping) / double(params.areal_density);  // c / m [1/s]
-    if (omega <= 0) return damping_rate > 0 ? 2 / damping_rate : 1e9;
-    const double zeta = damping_rate / (2 * omega);
-    switch (params.method) {
-    case Method::explicit_euler: return (zeta <= 1 ? 2 * zeta : 2 / (zeta + std::sqrt(zeta * zeta - 1))) / omega;
-    case Method::symplectic_euler: return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
-    }
-    return 0;
+    const double l11 = std::sqrt(double(c.warp)), l21 = l11 > 0 ? double(c.cross) / l11 : 0;
+    const double l22 = std::sqrt(std::max(double(c.weft) - l21 * l21, 0.0));
+    return {l11, l21, 0, 0, l22, 0, 0, 0, std::sqrt(double(c.shear))};
 }
 
-int least_stable_substeps(const ClothModel& model, const SimParams& params)
+// E = B u for moves u in the plane, B M^-1 B^T summed over the corners, each with the mass of its share of this face.
+double face_omega_sq(const formulas::FaceRest& r, const glm::dvec3& inverse_masses, const glm::dmat3& root)
 {
-    const double limit_s = largest_stable_substep(model, params);
+    const double warp[] = {-double(r.warp_1) - double(r.warp_2), double(r.warp_1), double(r.warp_2)};
+    const double weft[] = {-double(r.weft_1) - double(r.weft_2), double(r.weft_1), double(r.weft_2)};
+    glm::dmat3 sum(0);
+    for (int corner = 0; corner < 3; ++corner) {
+        const double p = warp[corner], q = weft[corner], w = inverse_masses[corner];
+        const glm::dvec3 along_warp(p, 0, q), along_weft(0, q, p);  // columns of B: E11, E22, 2 E12
+        sum += w * (glm::outerProduct(along_warp, along_warp) + glm::outerProduct(along_weft, along_weft));
+    }
+    return double(r.area) * largest_eigenvalue(glm::transpose(root) * sum * root);
+}
+
+double membrane_omega_sq(const ClothModel& model, const SimParams& params)
+{
+    const std::vector<formulas::FaceRest> rests = face_rests(model);
+    const glm::dmat3 root = root_of_stiffness(membrane_constants(params));
+    std::vector<double> face_areas(model.vertex_count());
+    for (std::size_t face = 0; face < rests.size(); ++face)
+        for (int corner = 0; corner < 3; ++corner) face_areas[model.faces[face][corner]] += double(rests[face].area) / 3;
+    double omega_sq = 0;
+    for (std::size_t face = 0; face < rests.size(); ++face) {
+        glm::dvec3 inverse_masses(0);
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t v = model.faces[face][corner];
+            const double share = double(rests[face].area) / 3 / face_areas[v];
+            if (!model.pinned[v]) inverse_masses[corner] = 1 / (share * vertex_mass(model, params, v));
+        }
+        omega_sq = std::max(omega_sq, face_omega_sq(rests[face], inverse_masses, root));
+    }
+    return omega_sq;
+}
+
+// Numbers in -1 .. 1 that are the same on every machine.
+std::vector<glm::dvec3> noise(std::size_t count)
+{
+    std::vector<glm::dvec3> values(count);
+    std::uint64_t bits = 1;
+    for (glm::dvec3& value : values)
+        for (int axis = 0; axis < 3; ++axis) {
+            bits = bits * 6364136223846793005u + 1442695040888963407u;
+            value[axis] = double(bits >> 33) / double(1u << 30) - 1;
+        }
+    return values;
+}
+
+int substeps_for(const SimParams& params, double limit_s)
+{
     if (limit_s <= 0) return 0;
     const double count = std::ceil(1 / (double(params.frame_rate) * limit_s));
     const ParamInfo* info = find_param(sim_param_table(), "substeps");
     return count <= info->max ? std::max(1, static_cast<int>(count)) : 0;
+}
+
+constexpr double kAnySubstep = 1e9;
+
+}  // namespace
+
+double omega_max_bound(const ClothModel& model, const SimParams& params)
+{
+    const double membrane = face_forces(params).membrane ? membrane_omega_sq(model, params) : 0;
+    return std::sqrt(springs_omega_sq(model, params) + membrane);
+}
+
+double omega_max(const ClothModel& model, const SimParams& params, const ClothState& state,
+                 std::vector<glm::dvec3>& mode)
+{
+    constexpr int warm_products = 10, cold_products = 80;
+    const bool warm = mode.size() == state.positions.size();
+    if (!warm) mode = noise(state.positions.size());
+    const StiffnessProduct stiffness(model, params);
+    std::vector<glm::dvec3> forces(mode.size());
+    double omega_sq = 0;
+    for (int i = 0; i < (warm ? warm_products : cold_products); ++i) {
+        double mass = 0, work = 0, size = 0;
+        for (std::size_t v = 0; v < mode.size(); ++v)
+            if (state.positions[v].w <= 0) mode[v] = glm::dvec3(0);
+        stiffness.multiply(state.positions, mode, forces);
+        for (std::size_t v = 0; v < mode.size(); ++v) {
+            const double w = double(state.positions[v].w);
+            if (w <= 0) continue;
+            mass += glm::dot(mode[v], mode[v]) / w;
+            work += glm::dot(mode[v], forces[v]);
+            forces[v] *= w;
+            size = std::max(size, glm::length(forces[v]));
+        }
+        if (!(size > 0) || !std::isfinite(size)) break;
+        omega_sq = work / mass;
+        for (std::size_t v = 0; v < mode.size(); ++v) mode[v] = forces[v] / size;
+    }
+    return std::sqrt(std::max(omega_sq, 0.0));
+}
+
+double largest_stable_substep(const SimParams& params, double omega)
+{
+    if (!is_explicit(params.method)) return kAnySubstep;
+    constexpr int modes = 16;
+    const double air = double(params.damping) / double(params.areal_density);
+    double limit = kAnySubstep;
+    for (int i = 0; i <= modes; ++i) {
+        const double w = omega * i / modes, rate = air + double(params.stiffness_damping) * w * w;
+        if (w > 0 || rate > 0) limit = std::min(limit, stable_until(params.method, {w, rate}));
+    }
+    return limit;
+}
+
+double largest_stable_substep(const ClothModel& model, const SimParams& params)
+{
+    if (!is_explicit(params.method)) return kAnySubstep;
+    constexpr double e = kStretchAllowedFor;
+    const double stiffer = face_forces(params).membrane ? (1 + e) * (1 + e) + e + e * e / 2 : 2 - 1 / (1 + e);
+    return largest_stable_substep(params, omega_max_bound(model, params) * std::sqrt(stiffer));
+}
+
+int least_stable_substeps(const ClothModel& model, const SimParams& params)
+{
+    return substeps_for(params, largest_stable_substep(model, params));
+}
+
+PresentStability present_stability(const ClothModel& model, const SimParams& params, const ClothState& state,
+                                   std::vector<glm::dvec3>& mode)
+{
+    PresentStability present{};
+    present.omega_max = omega_max(model, params, state, mode);
+    present.omega_bound = omega_max_bound(model, params);
+    present.largest_stable_substep_s = largest_stable_substep(params, present.omega_max);
+    present.least_substeps = substeps_for(params, present.largest_stable_substep_s / 1.05);
+    return present;
 }
 
 }  // namespace nuno

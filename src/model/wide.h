@@ -1,8 +1,9 @@
-// Many particles side by side: a float and a vec3 of kLanes lanes, with the operators that the shared formulas use.
+// Many particles side by side: a float and a vec3 of kCount lanes, with the operators that the shared formulas use.
 // The compiler lowers them to whatever SIMD the target has; a lane computes what the scalar formula does, bit for bit.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 // Wide values never cross a call (everything here is inlined), so the note on their calling convention does not apply.
@@ -20,59 +21,108 @@
 
 namespace nuno {
 
+// Lanes of the kernels whose vectors are the same on every instruction set.
 constexpr int kLanes = 8;
 
-struct WideFloat
+template <int kCount>
+struct Wide
 {
-    typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
+    typedef float Lanes __attribute__((vector_size(kCount * sizeof(float))));
+    typedef std::uint32_t Bits __attribute__((vector_size(kCount * sizeof(float))));
     Lanes lanes;
 
-    WideFloat() = default;
-    NUNO_WIDE_INLINE explicit WideFloat(float a) : lanes(a - Lanes{}) {}
-    NUNO_WIDE_INLINE explicit WideFloat(const Lanes& a) : lanes(a) {}
-    NUNO_WIDE_INLINE explicit WideFloat(const float* from) { std::memcpy(&lanes, from, sizeof lanes); }
+    Wide() = default;
+    NUNO_WIDE_INLINE explicit Wide(float a) : lanes(a - Lanes{}) {}
+    NUNO_WIDE_INLINE explicit Wide(const Lanes& a) : lanes(a) {}
+    NUNO_WIDE_INLINE explicit Wide(const float* from) { std::memcpy(&lanes, from, sizeof lanes); }
     NUNO_WIDE_INLINE void store(float* to) const { std::memcpy(to, &lanes, sizeof lanes); }
+
+    // Hidden friends, so that a template argument is deduced from the operands.
+    friend NUNO_WIDE_INLINE Wide operator+(Wide a, Wide b) { return Wide(a.lanes + b.lanes); }
+    friend NUNO_WIDE_INLINE Wide operator-(Wide a, Wide b) { return Wide(a.lanes - b.lanes); }
+    friend NUNO_WIDE_INLINE Wide operator*(Wide a, Wide b) { return Wide(a.lanes * b.lanes); }
+    friend NUNO_WIDE_INLINE Wide operator/(Wide a, Wide b) { return Wide(a.lanes / b.lanes); }
+    friend NUNO_WIDE_INLINE Wide operator-(Wide a) { return Wide(-a.lanes); }
+    friend NUNO_WIDE_INLINE Wide max_real(Wide a, Wide b) { return Wide(a.lanes > b.lanes ? a.lanes : b.lanes); }
+
+    friend NUNO_WIDE_INLINE Wide min_real(Wide a, Wide b) { return Wide(a.lanes < b.lanes ? a.lanes : b.lanes); }
+
+    friend NUNO_WIDE_INLINE Wide floor_real(Wide a)
+    {
+        float values[kCount];
+        a.store(values);
+        for (int i = 0; i < kCount; ++i) values[i] = std::floor(values[i]);
+        return Wide(values);
+    }
+
+    friend NUNO_WIDE_INLINE Wide sqrt_real(Wide a)
+    {
+        float values[kCount];
+        a.store(values);
+        for (int i = 0; i < kCount; ++i) values[i] = std::sqrt(values[i]);
+        return Wide(values);
+    }
+
+    friend NUNO_WIDE_INLINE Wide select_positive(Wide condition, Wide a, Wide b)
+    {
+        return Wide(condition.lanes > Lanes{} ? a.lanes : b.lanes);
+    }
+
+    // The bits of whole numbers, and the other way for such below 2^24 (shaders/shared/gust.h).
+    friend NUNO_WIDE_INLINE Bits bits_of_whole(Wide a)
+    {
+        float values[kCount];
+        a.store(values);
+        std::uint32_t whole[kCount];
+        for (int i = 0; i < kCount; ++i) whole[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(values[i]));
+        Bits bits;
+        std::memcpy(&bits, whole, sizeof bits);
+        return bits;
+    }
+
+    static NUNO_WIDE_INLINE Wide of_bits(Bits a)
+    {
+        std::uint32_t whole[kCount];
+        std::memcpy(whole, &a, sizeof whole);
+        float values[kCount];
+        for (int i = 0; i < kCount; ++i) values[i] = static_cast<float>(static_cast<std::int32_t>(whole[i]));
+        return Wide(values);
+    }
+
+    // The float whose bits are `minuend` less half of the bits of a (shaders/shared/inverse_root.h).
+    friend NUNO_WIDE_INLINE Wide halved_bits_from(std::uint32_t minuend, Wide a)
+    {
+        Bits bits;
+        std::memcpy(&bits, &a.lanes, sizeof bits);
+        bits = minuend - (bits >> 1);
+        Wide result;
+        std::memcpy(&result.lanes, &bits, sizeof bits);
+        return result;
+    }
 };
 
-NUNO_WIDE_INLINE WideFloat operator+(WideFloat a, WideFloat b) { return WideFloat(a.lanes + b.lanes); }
-NUNO_WIDE_INLINE WideFloat operator-(WideFloat a, WideFloat b) { return WideFloat(a.lanes - b.lanes); }
-NUNO_WIDE_INLINE WideFloat operator*(WideFloat a, WideFloat b) { return WideFloat(a.lanes * b.lanes); }
-NUNO_WIDE_INLINE WideFloat operator/(WideFloat a, WideFloat b) { return WideFloat(a.lanes / b.lanes); }
-NUNO_WIDE_INLINE WideFloat operator-(WideFloat a) { return WideFloat(-a.lanes); }
-NUNO_WIDE_INLINE WideFloat max_real(WideFloat a, WideFloat b)
+template <int kCount>
+struct WideVec
 {
-    return WideFloat(a.lanes > b.lanes ? a.lanes : b.lanes);
-}
+    using Real = Wide<kCount>;
+    Real x, y, z;
+    WideVec() = default;
+    NUNO_WIDE_INLINE WideVec(Real x_, Real y_, Real z_) : x(x_), y(y_), z(z_) {}
+    NUNO_WIDE_INLINE explicit WideVec(float a) : x(a), y(a), z(a) {}
 
-NUNO_WIDE_INLINE WideFloat sqrt_real(WideFloat a)
-{
-    WideFloat root;
-    for (int i = 0; i < kLanes; ++i) root.lanes[i] = std::sqrt(a.lanes[i]);
-    return root;
-}
+    friend NUNO_WIDE_INLINE WideVec operator+(WideVec a, WideVec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend NUNO_WIDE_INLINE WideVec operator-(WideVec a, WideVec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend NUNO_WIDE_INLINE WideVec operator*(Real a, WideVec b) { return {a * b.x, a * b.y, a * b.z}; }
+    friend NUNO_WIDE_INLINE WideVec operator/(WideVec a, Real b) { return {a.x / b, a.y / b, a.z / b}; }
 
-NUNO_WIDE_INLINE WideFloat select_positive(WideFloat condition, WideFloat a, WideFloat b)
-{
-    return WideFloat(condition.lanes > WideFloat::Lanes{} ? a.lanes : b.lanes);
-}
-
-struct WideVec3
-{
-    WideFloat x, y, z;
-    WideVec3() = default;
-    NUNO_WIDE_INLINE WideVec3(WideFloat x_, WideFloat y_, WideFloat z_) : x(x_), y(y_), z(z_) {}
-    NUNO_WIDE_INLINE explicit WideVec3(float a) : x(a), y(a), z(a) {}
+    friend NUNO_WIDE_INLINE WideVec select_positive(Real condition, WideVec a, WideVec b)
+    {
+        return {select_positive(condition, a.x, b.x), select_positive(condition, a.y, b.y),
+                select_positive(condition, a.z, b.z)};
+    }
 };
 
-NUNO_WIDE_INLINE WideVec3 operator+(WideVec3 a, WideVec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-NUNO_WIDE_INLINE WideVec3 operator-(WideVec3 a, WideVec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-NUNO_WIDE_INLINE WideVec3 operator*(WideFloat a, WideVec3 b) { return {a * b.x, a * b.y, a * b.z}; }
-NUNO_WIDE_INLINE WideVec3 operator/(WideVec3 a, WideFloat b) { return {a.x / b, a.y / b, a.z / b}; }
-
-NUNO_WIDE_INLINE WideVec3 select_positive(WideFloat condition, WideVec3 a, WideVec3 b)
-{
-    return {select_positive(condition, a.x, b.x), select_positive(condition, a.y, b.y),
-            select_positive(condition, a.z, b.z)};
-}
+using WideFloat = Wide<kLanes>;
+using WideVec3 = WideVec<kLanes>;
 
 }  // namespace nuno

@@ -13,14 +13,14 @@ constexpr int kSide = 256;
 
 FloorShadow::FloorShadow()
     : cloth_(draw_program("render/shadow_cloth.vert", "render/shadow.frag")),
-      sphere_(draw_program("render/shadow_sphere.vert", "render/shadow.frag")),
+      body_(draw_program("render/shadow_body.vert", "render/shadow.frag")),
       blur_(draw_program("render/whole_picture.vert", "render/blur.frag")),
       mask_(kSide),
       between_(kSide)
 {
 }
 
-void FloorShadow::update(const ClothRenderer& cloth, const SphereRenderer& spheres) const
+void FloorShadow::update(const ClothRenderer& cloth, const BodyRenderer& bodies) const
 {
     glDisable(GL_DEPTH_TEST);
     mask_.begin();
@@ -28,8 +28,8 @@ void FloorShadow::update(const ClothRenderer& cloth, const SphereRenderer& spher
     glClear(GL_COLOR_BUFFER_BIT);
     cloth_.use();
     cloth.draw_faces();
-    sphere_.use();
-    spheres.draw_faces();
+    body_.use();
+    bodies.draw_faces();
     soften(mask_, between_, {1, 0});
     soften(between_, mask_, {0, 1});
 }

@@ -30,26 +30,26 @@ void begin_picture(const Viewport& viewport)
 
 }  // namespace
 
-void SceneView::draw(const ViewParams& params, GLuint positions, const Colliders& colliders, const Viewport& viewport)
+void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport)
 {
     assert(viewport.width > 0 && viewport.height > 0);
     const Camera camera = make_camera(params, float(viewport.width) / float(viewport.height));
-    const ViewBlock block = make_view_block(params, camera, floor_of(params, colliders));
+    const ViewBlock block = make_view_block(params, camera, floor_of(params, bodies.bodies, bodies.time_s));
     if (view_block_.size_bytes() == 0) view_block_ = Buffer(sizeof block, nullptr, GL_STREAM_DRAW);
     view_block_.update(0, std::as_bytes(std::span(&block, 1)));
     view_block_.bind_block(GL_UNIFORM_BUFFER, BLOCK_VIEW);
     cloth_.set_positions(positions);
-    spheres_.set_spheres(colliders.spheres);
+    bodies_.set_bodies(bodies.bodies, bodies.time_s);
     begin_picture(viewport);
     const bool shadow = params.floor && block.shadow_centre.w > 0;
     if (shadow) {
-        shadow_.update(cloth_, spheres_);
+        shadow_.update(cloth_, bodies_);
         begin_picture(viewport);
     }
     shadow_.bind(UNIT_FLOOR_SHADOW);
     // Every pixel is drawn, so only the depth is cleared.
     glClear(GL_DEPTH_BUFFER_BIT);
-    spheres_.draw();
+    bodies_.draw();
     cloth_.draw(params.look, params.texture_scale);
     if (params.floor) stage_.draw_floor();
     stage_.draw_background();
@@ -57,7 +57,7 @@ void SceneView::draw(const ViewParams& params, GLuint positions, const Colliders
     barrier_draw_to_compute();
 }
 
-void SceneView::draw_picture(const ViewParams& params, GLuint positions, const Colliders& colliders, Picture& picture)
+void SceneView::draw_picture(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, Picture& picture)
 {
     if (!target_ || target_->width() != params.width || target_->height() != params.height ||
         target_samples_ != params.samples)
@@ -65,7 +65,7 @@ void SceneView::draw_picture(const ViewParams& params, GLuint positions, const C
         target_.emplace(params.width, params.height, params.samples);
         target_samples_ = params.samples;
     }
-    draw(params, positions, colliders, {target_->id(), params.width, params.height});
+    draw(params, positions, bodies, {target_->id(), params.width, params.height});
     target_->resolve();
     picture.width = params.width;
     picture.height = params.height;

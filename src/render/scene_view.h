@@ -1,4 +1,4 @@
-// One picture of a scene: cloth, spheres, floor and background, in a window or off screen.
+// One picture of a scene: cloth, bodies, floor and background, in a window or off screen.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 #include "gl/buffer.h"
 #include "gl/framebuffer.h"
-#include "model/collider.h"
+#include "model/body.h"
+#include "render/body_renderer.h"
 #include "render/cloth_renderer.h"
 #include "render/floor_shadow.h"
 #include "render/picture.h"
-#include "render/sphere_renderer.h"
 #include "render/stage_renderer.h"
 #include "render/view_params.h"
 
@@ -23,6 +23,13 @@ struct Viewport
 {
     GLuint framebuffer = 0;  // 0: the window's
     int width = 0, height = 0;
+};
+
+// Bodies, and the time whose poses are drawn.
+struct BodiesInTime
+{
+    const Bodies& bodies;
+    double time_s = 0;
 };
 
 class SceneView
@@ -36,14 +43,14 @@ class SceneView
 
     // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels
     // leave it. Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
-    void draw(const ViewParams& params, GLuint positions, const Colliders& colliders, const Viewport& viewport);
+    void draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport);
 
     // Draws params.width x height pixels off screen and waits for them.
-    void draw_picture(const ViewParams& params, GLuint positions, const Colliders& colliders, Picture& picture);
+    void draw_picture(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, Picture& picture);
 
   private:
     ClothRenderer cloth_;
-    SphereRenderer spheres_;
+    BodyRenderer bodies_;
     StageRenderer stage_;
     FloorShadow shadow_;
     Buffer view_block_;

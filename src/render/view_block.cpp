@@ -15,7 +15,7 @@ struct Palette
 {
     std::uint32_t zenith, horizon, nadir;  // background
     std::uint32_t sky, ground;             // tint of the light from above and from below
-    std::uint32_t tile_light, tile_dark, sphere;
+    std::uint32_t tile_light, tile_dark, body;
 };
 
 Palette palette_of(Background background)
@@ -90,15 +90,21 @@ ViewBlock make_view_block(const ViewParams& params, const Camera& camera, const 
     block.nadir_colour = linear_colour(palette.nadir);
     block.tile_light = linear_colour(palette.tile_light);
     block.tile_dark = linear_colour(palette.tile_dark);
-    block.sphere_colour = linear_colour(palette.sphere);
+    block.body_colour = linear_colour(palette.body);
     set_lights(block, params, palette);
     set_floor(block, params, floor);
     return block;
 }
 
-Plane floor_of(const ViewParams& params, const Colliders& colliders)
+Plane floor_of(const ViewParams& params, const Bodies& bodies, double time_s)
 {
-    return colliders.planes.empty() ? Plane{{0, 1, 0}, params.floor_height} : colliders.planes.front();
+    if (bodies.planes.empty()) return {{0, 1, 0}, params.floor_height, {}};
+    const Plane& plane = bodies.planes.front();
+    if (!plane.motion.moves()) return plane;
+    const Pose rest = placed_bodies(bodies).front().rest;
+    const Pose pose = pose_at(plane.motion, rest, time_s);
+    const glm::dvec3 normal = pose.rotation[1];
+    return {glm::vec3(normal), static_cast<float>(glm::dot(normal, pose.position)), {}};
 }
 
 }  // namespace nuno

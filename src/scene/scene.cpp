@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "scene/body_tables.h"
 #include "scene/toml_table.h"
 
 namespace nuno {
@@ -27,22 +28,41 @@ fs::path beside(const fs::path& scene_path, const std::string& text)
     return text.empty() ? fs::path() : (scene_path.parent_path() / text).lexically_normal();
 }
 
-void read_pins(TomlTable& table, SheetSpec& sheet)
+PinSpec read_pins(TomlTable& table)
 {
+    PinSpec spec;
     const toml::array* pins = table.array("pins");
-    sheet.pins_where = table.where("pins");
-    if (!pins) return;
+    spec.where = table.where("pins");
+    if (!pins) return spec;
     for (const toml::node& pin : *pins) {
         if (const auto place = pin.value_exact<std::string>())
-            sheet.pin_places.push_back(*place);
+            spec.places.push_back(*place);
         else if (const auto vertex = pin.value_exact<std::int64_t>(); vertex && *vertex >= 0 && *vertex <= 0xffffffff)
-            sheet.pin_vertices.push_back(static_cast<std::uint32_t>(*vertex));
+            spec.vertices.push_back(static_cast<std::uint32_t>(*vertex));
         else
             table.fail("pins", "a list of vertex numbers and places (top_left, top, left, ...)");
     }
+    return spec;
 }
 
-SheetSpec read_sheet(TomlTable table, const fs::path& scene_path)
+// handles = [{ name = "left", pins = ["left"] }]
+void read_handles(TomlTable& table, const std::string& file_name, SheetSpec& sheet)
+{
+    const toml::array* list = table.array("handles");
+    if (!list) return;
+    for (const toml::node& node : *list) {
+        if (!node.is_table()) table.fail("handles", "a list of { name = \"...\", pins = [...] }");
+        TomlTable entry(*node.as_table(), file_name);
+        const std::string handle = entry.text("name", "");
+        sheet.pins.push_back(read_pins(entry));
+        sheet.pins.back().handle = handle;
+        entry.finish();
+        if (handle.empty()) entry.fail("name", "the name of a [[handle]]");
+        if (!entry.has("pins")) entry.fail("pins", "a list of the vertices that the handle carries");
+    }
+}
+
+SheetSpec read_sheet(TomlTable table, const std::string& file_name, const fs::path& scene_path)
 {
     SheetSpec sheet;
     sheet.where = table.where();
@@ -56,7 +76,8 @@ SheetSpec read_sheet(TomlTable table, const fs::path& scene_path)
     sheet.down = table.vector("down", {0, -1, 0});
     sheet.pleats = table.whole("pleats", 0);
     sheet.pleat_angle = static_cast<float>(table.number("pleat_angle", 60));
-    read_pins(table, sheet);
+    sheet.pins.push_back(read_pins(table));
+    read_handles(table, file_name, sheet);
     table.finish();
     if (!(sheet.pleat_angle >= 0 && sheet.pleat_angle < 90))
         table.fail("pleat_angle", "0 or more and less than 90 degrees");
@@ -67,29 +88,6 @@ SheetSpec read_sheet(TomlTable table, const fs::path& scene_path)
         throw Error(fmt::format("{}: a grid of {} x {} vertices is not possible; give 2 to 2048 for columns and rows",
                                 sheet.where, sheet.columns, sheet.rows));
     return sheet;
-}
-
-Plane read_plane(TomlTable table)
-{
-    Plane plane;
-    plane.normal = table.vector("normal", plane.normal);
-    plane.offset = static_cast<float>(table.number("offset", 0));
-    table.finish();
-    const float length = glm::length(plane.normal);
-    if (!(length > 0)) table.fail("normal", "three numbers that are not all zero");
-    if (!std::isfinite(plane.offset)) table.fail("offset", "a finite number of metres");
-    plane.normal /= length;
-    return plane;
-}
-
-Sphere read_sphere(TomlTable table)
-{
-    Sphere sphere;
-    sphere.centre = table.vector("centre", sphere.centre);
-    sphere.radius = static_cast<float>(table.number("radius", 1));
-    table.finish();
-    if (!(sphere.radius > 0) || !(sphere.radius < 1e6f)) table.fail("radius", "a number of metres above 0");
-    return sphere;
 }
 
 EndCheck read_check(TomlTable table)
@@ -112,19 +110,6 @@ EndCheck read_check(TomlTable table)
     return check;
 }
 
-// Calls read(table) for each [[key]] of the file.
-template <class Read>
-void for_each_table(TomlTable& file, const std::string& path, std::string_view key, Read read)
-{
-    if (file.is_table(key)) file.fail(key, fmt::format("written as [[{}]], for there may be several", key));
-    const toml::array* list = file.array(key);
-    if (!list) return;
-    for (const toml::node& node : *list) {
-        if (!node.is_table()) file.fail(key, fmt::format("written as [[{}]]", key));
-        read(TomlTable(*node.as_table(), path));
-    }
-}
-
 Scene read_scene(const toml::table& root, const fs::path& path)
 {
     const std::string file_name = path.string();
@@ -138,12 +123,9 @@ Scene read_scene(const toml::table& root, const fs::path& path)
     if (const toml::table* view = file.table("view"))
         for (const TomlTable::Entry& entry : TomlTable(*view, file_name).entries())
             scene.view.push_back({entry.name, entry.text, entry.where, entry.quoted});
-    for_each_table(file, file_name, "sheet",
-                   [&](TomlTable t) { scene.sheets.push_back(read_sheet(std::move(t), path)); });
-    for_each_table(file, file_name, "plane",
-                   [&](TomlTable t) { scene.colliders.planes.push_back(read_plane(std::move(t))); });
-    for_each_table(file, file_name, "sphere",
-                   [&](TomlTable t) { scene.colliders.spheres.push_back(read_sphere(std::move(t))); });
+    file.for_each_table("sheet",
+                        [&](TomlTable t) { scene.sheets.push_back(read_sheet(std::move(t), file_name, path)); });
+    scene.bodies = read_bodies(file, file_name, path);
     if (const toml::table* check = file.table("check")) scene.check = read_check(TomlTable(*check, file_name));
     file.finish();
     if (scene.sheets.empty()) throw Error(fmt::format("{}: a scene needs at least one [[sheet]]", file_name));

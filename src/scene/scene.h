@@ -9,12 +9,21 @@
 
 #include <glm/vec3.hpp>
 
+#include "model/body.h"
 #include "model/cloth_model.h"
-#include "model/collider.h"
 #include "model/sim_params.h"
 #include "scene/end_check.h"
 
 namespace nuno {
+
+// Pinned vertices of a sheet, as the file names them.
+struct PinSpec
+{
+    std::string where;                // file and line
+    std::string handle;               // that carries them; empty: they do not move
+    std::vector<std::string> places;  // top_left, top, left, top@0.25, ... of a grid
+    std::vector<std::uint32_t> vertices;
+};
 
 // A sheet as the file declares it: a grid, or a mesh file.
 struct SheetSpec
@@ -22,12 +31,10 @@ struct SheetSpec
     std::string name, where;                               // where: file and line, for messages
     int columns = 0, rows = 0;                             // vertices of a grid
     glm::vec3 origin{0}, across{1, 0, 0}, down{0, -1, 0};  // corner and sides of a grid [m]
-    int pleats = 0;                       // strips that the start is folded into, accordion-wise; 0: it starts flat
-    float pleat_angle = 60;               // tilt of a strip [degrees]
-    std::filesystem::path mesh;           // an OBJ file, where it is no grid
-    std::string pins_where;               // file and line of the pins
-    std::vector<std::string> pin_places;  // top_left, top, left, top@0.25, ... of a grid
-    std::vector<std::uint32_t> pin_vertices;
+    int pleats = 0;              // strips that the start is folded into, accordion-wise; 0: it starts flat
+    float pleat_angle = 60;      // tilt of a strip [degrees]
+    std::filesystem::path mesh;  // an OBJ file, where it is no grid
+    std::vector<PinSpec> pins;
     std::filesystem::path texture;  // empty: none
 };
 
@@ -45,7 +52,7 @@ struct Scene
     SimParams params;
     std::vector<ViewSetting> view;
     std::vector<SheetSpec> sheets;
-    Colliders colliders;
+    Bodies bodies;
     EndCheck check;
 };
 

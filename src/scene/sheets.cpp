@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -42,7 +43,7 @@ struct Place
 // The vertex of a grid that is nearest to a part (0 .. 1) of a side.
 int at_part(double part, int count) { return static_cast<int>(std::lround(part * (count - 1))); }
 
-void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, std::vector<std::uint32_t>& pins)
+void add_pins_at(std::string_view text, const std::string& where, GridSize size, std::vector<std::uint32_t>& pins)
 {
     static constexpr Place places[] = {
         {"top_left", 0, 0, 0, 0}, {"top_right", 1, 1, 0, 0}, {"bottom_left", 0, 0, 1, 1}, {"bottom_right", 1, 1, 1, 1},
@@ -51,15 +52,14 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
     const std::string_view name = text.substr(0, mark);
     const double part = mark == text.npos ? 0 : parse_number(text.substr(mark + 1)).value_or(-1);
     if (!(part >= 0 && part <= 1))
-        throw Error(fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1",
-                                sheet.pins_where, text));
+        throw Error(fmt::format("{}: pin {}: the part of the edge after @ must be a number from 0 to 1", where, text));
     std::vector<std::string_view> names;
     for (Place p : places) {
         names.push_back(p.name);
         if (p.name != name) continue;
         if (mark != text.npos && p.i0 == p.i1 && p.j0 == p.j1)
-            throw Error(fmt::format("{}: pin {}: {} is a corner, which has no parts; @ goes after an edge",
-                                    sheet.pins_where, text, name));
+            throw Error(
+                fmt::format("{}: pin {}: {} is a corner, which has no parts; @ goes after an edge", where, text, name));
         if (mark != text.npos && p.i0 != p.i1) p.i0 = p.i1 = part;
         if (mark != text.npos && p.j0 != p.j1) p.j0 = p.j1 = part;
         for (int j = at_part(p.j0, size.rows); j <= at_part(p.j1, size.rows); ++j)
@@ -68,8 +68,8 @@ void add_pins_at(std::string_view text, const SheetSpec& sheet, GridSize size, s
         return;
     }
     throw Error(fmt::format(
-        "{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge",
-        sheet.pins_where, name, nearest_name(name, names), join_choices(names)));
+        "{}: pin place {} is unknown; the nearest is {}; possible are {}, and top@0.25 for a part of an edge", where,
+        name, nearest_name(name, names), join_choices(names)));
 }
 
 // Start positions folded like an accordion along the grid's columns: `pleats` plane strips, each tilted by the angle
@@ -90,6 +90,43 @@ std::vector<glm::vec3> pleated(const SheetSpec& sheet, const TriangleMesh& mesh)
     return start;
 }
 
+// Index of a handle by its name.
+std::uint32_t handle_number(const Scene& scene, const PinSpec& spec)
+{
+    std::vector<std::string_view> names;
+    for (const Handle& handle : scene.bodies.handles) {
+        if (handle.name == spec.handle) return static_cast<std::uint32_t>(names.size());
+        names.push_back(handle.name);
+    }
+    if (names.empty())
+        throw Error(fmt::format("{}: there is no [[handle]]; add one named {}", spec.where, spec.handle));
+    throw Error(fmt::format("{}: handle {} is unknown; the nearest is {}; there are {}", spec.where, spec.handle,
+                            nearest_name(spec.handle, names), join_choices(names)));
+}
+
+// Stores the vertices that a sheet's file names as pinned. `size` is that of a grid, 0 x 0 of a mesh.
+void add_pins(const Scene& scene, const SheetSpec& sheet, GridSize size, SheetSource& source)
+{
+    std::map<std::uint32_t, const PinSpec*> taken;
+    for (const PinSpec& spec : sheet.pins) {
+        if (size.columns == 0 && !spec.places.empty())
+            throw Error(fmt::format("{}: pin {} is a place of a grid; a mesh is pinned by vertex numbers", spec.where,
+                                    spec.places.front()));
+        std::vector<std::uint32_t> pins = spec.vertices;
+        for (const std::string& place : spec.places) add_pins_at(place, spec.where, size, pins);
+        for (const std::uint32_t vertex : pins) {
+            const PinSpec* other = taken.emplace(vertex, &spec).first->second;
+            if (other->handle != spec.handle)
+                throw Error(fmt::format("{}: vertex {} is pinned by {} already; leave it to one of them", spec.where,
+                                        vertex, other->where));
+            if (spec.handle.empty())
+                source.pins.push_back(vertex);
+            else
+                source.handle_pins.push_back({vertex, handle_number(scene, spec)});
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params)
@@ -103,16 +140,13 @@ std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params
             source.mesh = grid_mesh(size.columns, size.rows, sheet.origin, sheet.across, sheet.down);
             source.columns = size.columns;
             source.rows = size.rows;
-            for (const std::string& place : sheet.pin_places) add_pins_at(place, sheet, size, source.pins);
+            add_pins(scene, sheet, size, source);
             check_mesh(source.mesh, sheet.where);
             if (sheet.pleats > 0) source.start = pleated(sheet, source.mesh);
         } else {
             source.mesh = load_obj(sheet.mesh);
-            if (!sheet.pin_places.empty())
-                throw Error(fmt::format("{}: pin {} is a place of a grid; a mesh is pinned by vertex numbers",
-                                        sheet.pins_where, sheet.pin_places.front()));
+            add_pins(scene, sheet, {0, 0}, source);
         }
-        source.pins.insert(source.pins.end(), sheet.pin_vertices.begin(), sheet.pin_vertices.end());
         sources.push_back(std::move(source));
     }
     return sources;

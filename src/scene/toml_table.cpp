@@ -86,6 +86,15 @@ glm::vec3 TomlTable::vector(std::string_view key, glm::vec3 fallback)
     return value;
 }
 
+bool TomlTable::flag(std::string_view key, bool fallback)
+{
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    const auto value = node->value_exact<bool>();
+    if (!value) fail(key, "true or false");
+    return *value;
+}
+
 const toml::table* TomlTable::table(std::string_view key)
 {
     const toml::node* node = find(key);
@@ -100,20 +109,35 @@ const toml::array* TomlTable::array(std::string_view key)
     return node ? node->as_array() : nullptr;
 }
 
+void TomlTable::for_each_table(std::string_view key, const std::function<void(TomlTable)>& read)
+{
+    if (table_[key].is_table()) fail(key, fmt::format("written as [[{}]], for there may be several", key));
+    const toml::array* list = array(key);
+    if (!list) return;
+    for (const toml::node& node : *list) {
+        if (!node.is_table()) fail(key, fmt::format("written as [[{}]]", key));
+        read(TomlTable(*node.as_table(), file_));
+    }
+}
+
 void TomlTable::read_params(ParamTable table, void* block)
 {
-    for (const auto& [key, node] : table_) {
-        const std::string at = where(key.str());
-        const ParamInfo* info = find_param(table, key.str());
-        if (!info) throw_unknown_param(key.str(), std::span(&table, 1), at);
-        known_.push_back(info->name);
-        const bool wants_text = info->type == ParamType::choice, wants_bool = info->type == ParamType::boolean;
+    for (const auto& [key, node] : table_)
+        if (!find_param(table, key.str())) throw_unknown_param(key.str(), std::span(&table, 1), where(key.str()));
+    // In the order of the parameters, whatever that of the file: some set others that come after them.
+    for (const ParamInfo& info : table) {
+        const auto found = table_.find(info.name);
+        if (found == table_.end()) continue;
+        const toml::node& node = found->second;
+        const std::string at = where(info.name);
+        known_.push_back(info.name);
+        const bool wants_text = info.type == ParamType::choice, wants_bool = info.type == ParamType::boolean;
         if (wants_text ? !node.is_string() : wants_bool ? !node.is_boolean() : !node.is_number())
-            throw Error(fmt::format("{}: {} must be {}", at, info->name, param_range_text(*info)));
+            throw Error(fmt::format("{}: {} must be {}", at, info.name, param_range_text(info)));
         if (node.is_number())
-            set_param(*info, block, *node.value<double>(), at);
+            set_param(info, block, *node.value<double>(), at);
         else
-            set_param_text(*info, block, scalar_text(node), at);
+            set_param_text(info, block, scalar_text(node), at);
     }
 }
 

@@ -1,6 +1,7 @@
 // A table of a TOML file that knows which of its keys were asked for, so that a misspelt one is an error with its line.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ class TomlTable
   public:
     TomlTable(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
 
-    bool is_table(std::string_view key) const { return table_[key].is_table(); }
+    bool has(std::string_view key) const { return table_.contains(key); }
     // "file:line" of a key, or of the table itself.
     std::string where(std::string_view key = {}) const;
 
@@ -26,8 +27,11 @@ class TomlTable
     double number(std::string_view key, double fallback);
     int whole(std::string_view key, int fallback);
     glm::vec3 vector(std::string_view key, glm::vec3 fallback);
+    bool flag(std::string_view key, bool fallback);
     const toml::table* table(std::string_view key);
     const toml::array* array(std::string_view key);
+    // Calls read(table) for each [[key]].
+    void for_each_table(std::string_view key, const std::function<void(TomlTable)>& read);
 
     // Every key must be a parameter of `table`; stores them in `block`.
     void read_params(ParamTable table, void* block);

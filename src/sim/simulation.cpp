@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "model/stability.h"
+#include "solver/method_choice.h"
 #include "solver/method_table.h"
 
 namespace nuno {
@@ -39,15 +40,17 @@ void add_pass(FrameStats& stats, const CollisionCounts& pass)
 Simulation::Simulation(Scene scene, const SimParams& params) : scene_(std::move(scene)) { build(params); }
 Simulation::~Simulation() = default;
 
-void Simulation::build(const SimParams& params)
+void Simulation::build(const SimParams& asked)
 {
-    auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, params), params.mass_lumping));
+    auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, asked), asked.mass_lumping));
+    const SimParams params = resolve_params(*model, asked);
     auto pool = std::make_unique<ThreadPool>(params.threads);
-    auto solver = make_solver(*model, scene_.colliders, params, *pool);
+    auto solver = make_solver(*model, scene_.bodies, params, *pool);
     solver_ = std::move(solver);
     collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, *pool);
     pool_ = std::move(pool);
     model_ = std::move(model);
+    asked_ = asked;
     params_ = params;
     restart();
 }
@@ -63,17 +66,18 @@ void Simulation::restart()
     time_s_ = pending_s_ = 0;
 }
 
-void Simulation::set_params(const SimParams& params)
+void Simulation::set_params(const SimParams& asked)
 {
     for (const ParamInfo& info : sim_param_table())
-        if (needs_restart(info.name) && param_value(info, &params) != param_value(info, &params_)) return build(params);
+        if (needs_restart(info.name) && param_value(info, &asked) != param_value(info, &asked_)) return build(asked);
 
+    const SimParams params = resolve_params(*model_, asked);
     const bool new_pool = params.threads != params_.threads;
     const bool new_solver = new_pool || params.method != params_.method || params.backend != params_.backend;
     if (new_solver || params.areal_density != params_.areal_density) {
         state();
         auto pool = new_pool ? std::make_unique<ThreadPool>(params.threads) : nullptr;
-        if (new_solver) solver_ = make_solver(*model_, scene_.colliders, params, pool ? *pool : *pool_);
+        if (new_solver) solver_ = make_solver(*model_, scene_.bodies, params, pool ? *pool : *pool_);
         if (new_pool) {
             collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, *pool);
             pool_ = std::move(pool);
@@ -83,6 +87,7 @@ void Simulation::set_params(const SimParams& params)
         solver_->upload(state_);
     }
     if (params.count_pass_through && !params_.count_pass_through) pass_positions_ = state().positions;
+    asked_ = asked;
     params_ = params;
 }
 
@@ -165,6 +170,8 @@ const ClothState& Simulation::state()
 
 void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
 {
+    const auto on_handle = [&](const HandlePin& pin) { return pin.vertex == vertex; };
+    if (std::any_of(model_->handle_pins.begin(), model_->handle_pins.end(), on_handle)) return;
     if (held_ && held_->vertex != vertex) release_vertex();
     if (!held_) held_ = Held{vertex, glm::vec3(state().positions[vertex]), target};
     held_->target = target;
@@ -202,10 +209,10 @@ void Simulation::move_held_vertex(float duration_s)
     way *= std::min(1.0f, kDragSpeed * duration_s / std::max(glm::length(way), 1e-12f));
     for (int slot = 0; slot < table.first_slot[1]; ++slot) {
         const std::size_t entry = static_cast<std::size_t>(slot) * table.vertex_count + held_->vertex;
-        if (table.rest_lengths[entry] < 0) continue;
+        if (table.springs[entry] == SpringTable::kNoSpring) continue;
         const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
         const float length = std::max(glm::length(thread), 1e-12f);
-        const float slack = std::max((1 + kDragStretch) * table.rest_lengths[entry] - length, 0.0f);
+        const float slack = std::max((1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length, 0.0f);
         way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
     }
     held_->position += way;

@@ -23,6 +23,8 @@ class Simulation
     ~Simulation();
 
     const Scene& scene() const { return scene_; }
+    // As asked for, and as used: with method, substeps and tethers chosen where they were left to nuno.
+    const SimParams& asked_params() const { return asked_; }
     const SimParams& params() const { return params_; }
     const ClothModel& model() const { return *model_; }
     std::string_view solver_name() const { return solver_->name(); }
@@ -32,7 +34,7 @@ class Simulation
 
     // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the
     // start (needs_restart) starts again. Error (nothing changed) where they do not work.
-    void set_params(const SimParams& params);
+    void set_params(const SimParams& asked);
     void restart();
 
     // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps,
@@ -49,7 +51,7 @@ class Simulation
     std::uint32_t position_buffer() const { return solver_->position_buffer(); }
 
     // Drags a vertex towards `target` [m] until it is released, no faster than a hand and no further than its threads
-    // can stretch. A pinned vertex stays pinned where it is left.
+    // can stretch. A pinned vertex stays pinned where it is left; one on a handle of the scene goes with that.
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
 
@@ -57,7 +59,7 @@ class Simulation
     std::optional<std::string> stability_warning() const;
 
   private:
-    void build(const SimParams& params);
+    void build(const SimParams& asked);
     void download();
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
@@ -72,7 +74,7 @@ class Simulation
     };
 
     Scene scene_;
-    SimParams params_;
+    SimParams asked_, params_;
     std::unique_ptr<ThreadPool> pool_;
     std::unique_ptr<ClothModel> model_;
     std::unique_ptr<ClothSolver> solver_;

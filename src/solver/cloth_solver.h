@@ -9,7 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/cloth_state.h"
-#include "model/collider.h"
+#include "model/body.h"
 #include "model/sim_params.h"
 
 namespace nuno {

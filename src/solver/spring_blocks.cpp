@@ -1,19 +1,27 @@
-// Cuts the spring table into blocks.
+// Cuts the springs of the vertices into blocks.
 #include "solver/spring_blocks.h"
 
 #include <algorithm>
+#include <array>
 
 namespace nuno {
 namespace {
 
+// One slot of a block: entry of each lane, or kNone where it has no spring.
+constexpr std::size_t kNone = ~std::size_t(0);
+using Slot = std::array<std::size_t, kLanes>;
+
+bool has_force(const SpringEntries& entries, std::size_t i) { return entries.stiffness[i] != 0 || entries.tension[i] != 0; }
+
 // The neighbour of lane 0 if the lanes that have a spring step by one, else kGather.
-std::int32_t run_of(const std::uint32_t* neighbours, const float* rest_lengths)
+Run run_of(const SpringEntries& entries, const Slot& slot)
 {
     bool found = false;
-    std::int32_t run = 0;
+    Run run = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
-        if (rest_lengths[lane] < 0) continue;
-        const std::int32_t start = static_cast<std::int32_t>(neighbours[lane]) - lane;
+        const std::size_t i = slot[static_cast<std::size_t>(lane)];
+        if (i == kNone) continue;
+        const Run start = static_cast<Run>(entries.neighbours[i]) - lane;
         if (found && start != run) return SpringBlocks::kGather;
         run = start;
         found = true;
@@ -21,32 +29,39 @@ std::int32_t run_of(const std::uint32_t* neighbours, const float* rest_lengths)
     return run;
 }
 
+void append_slot(SpringBlocks& blocks, const SpringEntries& entries, const Slot& slot, std::uint32_t first_vertex)
+{
+    blocks.runs.push_back(run_of(entries, slot));
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t i = slot[lane];
+        const bool present = i != kNone;
+        const std::uint32_t itself = std::min(first_vertex + lane, entries.vertex_count - 1);
+        blocks.neighbours.push_back(present ? entries.neighbours[i] : itself);
+        blocks.stiffness.push_back(present ? entries.stiffness[i] : 0);
+        blocks.tension.push_back(present ? entries.tension[i] : 0);
+        blocks.axial.push_back(present ? entries.axial[i] : 0);
+    }
+}
+
 }  // namespace
 
-SpringBlocks make_spring_blocks(const SpringTable& table)
+SpringBlocks make_spring_blocks(const SpringEntries& entries)
 {
     SpringBlocks blocks;
-    const std::uint32_t n = table.vertex_count;
+    const std::uint32_t n = entries.vertex_count;
     for (std::uint32_t first = 0; first < n; first += kLanes) {
-        blocks.first_slot.push_back(static_cast<std::uint32_t>(blocks.slots.size()));
-        for (int kind = 0; kind < kSpringKindCount; ++kind) {
-            for (int slot = table.first_slot[kind]; slot < table.first_slot[kind + 1]; ++slot) {
-                std::uint32_t neighbours[kLanes];
-                float rest_lengths[kLanes];
-                for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-                    const std::uint32_t v = std::min(first + lane, n - 1);
-                    const std::size_t entry = static_cast<std::size_t>(slot) * n + v;
-                    neighbours[lane] = table.neighbours[entry];
-                    rest_lengths[lane] = first + lane < n ? table.rest_lengths[entry] : kNoSpring;
-                }
-                if (std::all_of(rest_lengths, rest_lengths + kLanes, [](float l) { return l < 0; })) continue;
-                blocks.slots.push_back({run_of(neighbours, rest_lengths), kind});
-                blocks.neighbours.insert(blocks.neighbours.end(), neighbours, neighbours + kLanes);
-                blocks.rest_lengths.insert(blocks.rest_lengths.end(), rest_lengths, rest_lengths + kLanes);
+        blocks.first_slot.push_back(static_cast<std::uint32_t>(blocks.runs.size()));
+        for (int slot = 0; slot < entries.slot_count; ++slot) {
+            Slot lanes;
+            for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+                const std::size_t i = static_cast<std::size_t>(slot) * n + first + lane;
+                lanes[lane] = first + lane < n && has_force(entries, i) ? i : kNone;
             }
+            if (std::any_of(lanes.begin(), lanes.end(), [](std::size_t i) { return i != kNone; }))
+                append_slot(blocks, entries, lanes, first);
         }
     }
-    blocks.first_slot.push_back(static_cast<std::uint32_t>(blocks.slots.size()));
+    blocks.first_slot.push_back(static_cast<std::uint32_t>(blocks.runs.size()));
     return blocks;
 }
 

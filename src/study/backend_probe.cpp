@@ -15,14 +15,14 @@ constexpr int kSubsteps = 20;
 
 }  // namespace
 
-BackendSpeed probe_backends(const ClothModel& model, const Colliders& colliders, const SimParams& params)
+BackendSpeed probe_backends(const ClothModel& model, const Bodies& bodies, const SimParams& params)
 {
     ThreadPool pool(params.threads);
     const ClothState start = start_state(model, params);
     SimParams on_cpu = params, on_gpu = params;
     on_cpu.backend = Backend::cpu;
     on_gpu.backend = Backend::gpu;
-    const auto cpu = make_solver(model, colliders, on_cpu, pool), gpu = make_solver(model, colliders, on_gpu, pool);
+    const auto cpu = make_solver(model, bodies, on_cpu, pool), gpu = make_solver(model, bodies, on_gpu, pool);
 
     const auto time_ns = [&](ClothSolver& solver) {
         solver.upload(start);

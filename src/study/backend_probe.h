@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/cloth_model.h"
-#include "model/collider.h"
+#include "model/body.h"
 #include "model/sim_params.h"
 
 namespace nuno {
@@ -13,6 +13,6 @@ struct BackendSpeed
 };
 
 // Takes some tens of milliseconds; an OpenGL context must be current.
-BackendSpeed probe_backends(const ClothModel& model, const Colliders& colliders, const SimParams& params);
+BackendSpeed probe_backends(const ClothModel& model, const Bodies& bodies, const SimParams& params);
 
 }  // namespace nuno

@@ -10,6 +10,7 @@
 #include "core/stopwatch.h"
 #include "model/stability.h"
 #include "sim/simulation.h"
+#include "solver/method_choice.h"
 #include "solver/method_table.h"
 
 namespace nuno {
@@ -75,12 +76,12 @@ double largest_difference(const ClothState& a, const ClothState& b)
 }
 
 // The same substeps on both backends from the same start, compared on the way.
-void compare_substeps(const ClothModel& model, const Colliders& colliders, const SimParams& params, ComparePoint& point)
+void compare_substeps(const ClothModel& model, const Bodies& bodies, const SimParams& params, ComparePoint& point)
 {
     ThreadPool pool(params.threads);
     ClothState a = start_state(model, params), b = a;
-    const auto cpu = make_solver(model, colliders, on(Backend::cpu, params), pool);
-    const auto gpu = make_solver(model, colliders, on(Backend::gpu, params), pool);
+    const auto cpu = make_solver(model, bodies, on(Backend::cpu, params), pool);
+    const auto gpu = make_solver(model, bodies, on(Backend::gpu, params), pool);
     cpu->upload(a);
     gpu->upload(b);
     point.substep_hashes_agree = true;
@@ -104,10 +105,11 @@ ComparePoint compare_point(const Scene& scene, SimParams params, int size)
     point.size = size;
     if (size > 0) params.resolution = size;
     const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
+    params = resolve_params(model, params);
     params.substeps = std::max(params.substeps, least_stable_substeps(model, params));
     point.particles = model.vertex_count();
     point.substeps = params.substeps;
-    compare_substeps(model, scene.colliders, params, point);
+    compare_substeps(model, scene.bodies, params, point);
     try {
         time_frames(scene, params, point);
     } catch (const Error& error) {

@@ -132,14 +132,19 @@ TEST(BadInput, words_that_no_command_knows)
     EXPECT_THAT(run_program({"rendr"}).err, AllOf(HasSubstr("nearest is render"), HasSubstr("compare")));
 }
 
-TEST(BadInput, too_many_bodies_for_a_device_are_counted)
+TEST(BadInput, bodies_that_make_no_sense)
 {
-    std::string scene = kSheet;
-    for (int i = 0; i < 6000; ++i) scene += "[[sphere]]\ncentre = [9, 9, 9]\n";
+    EXPECT_THAT(render_refusal("[params]\nthickness = -0.01\n" + kSheet),
+                AllOf(HasSubstr("bad.toml:2"), HasSubstr("0 to 1 m")));
+    EXPECT_THAT(render_refusal(kSheet + "[[sphere]]\nradius = -1\n"),
+                AllOf(HasSubstr("bad.toml:4"), HasSubstr("above 0")));
+    EXPECT_THAT(render_refusal(kSheet + "[[box]]\nkeyframes = [{ time = 2 },\n{ time = 1 }]\n"),
+                AllOf(HasSubstr("bad.toml:5"), HasSubstr("later than"), HasSubstr("2 s")));
     const TemporaryDirectory directory;
-    const std::string path = directory.write("many.toml", scene).string();
-    EXPECT_THAT(refusal({"render", path, "--no-images", "--frames", "1", "--backend", "gpu"}),
-                AllOf(HasSubstr("6000 planes and spheres"), HasSubstr("--backend cpu")));
+    directory.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+    const auto scene = directory.write("t.toml", kSheet + "[[body_mesh]]\nmesh = \"open.obj\"\n");
+    EXPECT_THAT(refusal({"render", scene.string(), "--no-images", "--backend", "cpu", "--frames", "1"}),
+                AllOf(HasSubstr("open.obj"), HasSubstr("closed"), HasSubstr("vertex 2 to vertex 1")));
 }
 
 TEST(BadInput, an_output_that_cannot_be_written_is_said_before_the_work)

@@ -45,7 +45,7 @@ TEST(Culling, seed_skips_a_flat_sheet_altogether)
     tree.refit(pose.positions, {}, pool);
     tree.bound_normals(pose.positions, pool);
     query.begin(tree, Culling::seed);
-    EXPECT_TRUE(query.run(0, [](std::uint32_t) { return Box{}; }).empty());
+    EXPECT_TRUE(query.run(0, [](std::uint32_t) { return Bounds{}; }).empty());
     EXPECT_EQ(query.counts().visits, 1u);
     EXPECT_EQ(query.counts().pairs_culled, 512u * 289u);
 }

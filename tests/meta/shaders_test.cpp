@@ -10,6 +10,7 @@
 #include "model/cloth_model.h"
 #include "render/scene_view.h"
 #include "solver/method_table.h"
+#include "support/bodies.h"
 
 namespace nuno::meta {
 namespace {
@@ -21,20 +22,21 @@ ClothModel small_cloth(bool as_mesh)
     sheet.name = "cloth";
     sheet.mesh = grid_mesh(4, 4, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
     if (!as_mesh) sheet.columns = sheet.rows = 4;
+    sheet.handle_pins = {{0, 0}};
     return build_cloth_model(std::span(&sheet, 1), MassLumping::area);
 }
 
 // Compiles all that the program compiles: the kernels of every method, and what draws a picture.
-void compile_everything(const Colliders& colliders, bool as_mesh)
+void compile_everything(const Bodies& bodies, bool as_mesh)
 {
     const ClothModel model = small_cloth(as_mesh);
     ThreadPool pool(1);
     for (const MethodInfo& method : method_table()) {
-        if (!method.on_gpu) continue;
+        if (!method.on(Backend::gpu)) continue;
         SimParams params;
         params.method = method.method;
         params.backend = Backend::gpu;
-        make_solver(model, colliders, params, pool);
+        make_solver(model, bodies, params, pool);
     }
     SceneView({model.vertex_count(), model.faces, model.uvs, {}});
 }
@@ -53,7 +55,9 @@ std::map<std::string, std::string> shader_texts()
 std::string error_of_compiling()
 {
     try {
-        compile_everything({}, false);
+        Bodies with_handle;
+        with_handle.handles.resize(1);
+        compile_everything(with_handle, false);
     } catch (const Error& error) {
         return error.what();
     }
@@ -64,11 +68,12 @@ using ShadersTest = GlTest;
 
 TEST_F(ShadersTest, compile_for_grids_and_meshes_with_bodies_and_without)
 {
-    Colliders bodies;
-    bodies.planes.emplace_back();
-    bodies.spheres.resize(2);
+    Bodies handle_alone;
+    handle_alone.handles.resize(1);
+    Bodies bodies = one_of_each_shape();
+    bodies.handles.resize(1);
     for (const bool as_mesh : {false, true}) {
-        compile_everything({}, as_mesh);
+        compile_everything(handle_alone, as_mesh);
         compile_everything(bodies, as_mesh);
     }
 }

@@ -1,4 +1,6 @@
 // Which vertices springs join, and the table they are gathered from.
+#include "model/springs.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,14 +27,18 @@ TEST(GridSprings, an_inner_vertex_has_the_seeds_twelve)
 {
     const ClothModel model = square_cloth(17, 1);
     const auto inner = springs_of(model, 8 * 17 + 8);
-    EXPECT_EQ(inner.at(SpringKind::structural), 4);
+    EXPECT_EQ(inner.at(SpringKind::weft), 2);
+    EXPECT_EQ(inner.at(SpringKind::warp), 2);
     EXPECT_EQ(inner.at(SpringKind::shear), 4);
-    EXPECT_EQ(inner.at(SpringKind::bend), 4);
+    EXPECT_EQ(inner.at(SpringKind::bend_weft), 2);
+    EXPECT_EQ(inner.at(SpringKind::bend_warp), 2);
     const auto corner = springs_of(model, 0);
-    EXPECT_EQ(corner.at(SpringKind::structural), 2);
+    EXPECT_EQ(corner.at(SpringKind::weft), 1);
+    EXPECT_EQ(corner.at(SpringKind::warp), 1);
     EXPECT_EQ(corner.at(SpringKind::shear), 1);
-    EXPECT_EQ(corner.at(SpringKind::bend), 2);
-    // 2 n (n-1) structural, 2 (n-1)^2 shear, 2 n (n-2) bend.
+    EXPECT_EQ(corner.at(SpringKind::bend_weft), 1);
+    EXPECT_EQ(corner.at(SpringKind::bend_warp), 1);
+    // 2 n (n-1) threads, 2 (n-1)^2 shear, 2 n (n-2) bend.
     EXPECT_EQ(model.springs.size(), 2u * 17 * 16 + 2 * 16 * 16 + 2 * 17 * 15);
 }
 
@@ -57,9 +63,9 @@ TEST(MeshSprings, join_every_edge_once_and_the_corners_across_it)
     std::vector<Spring> springs;
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const std::vector<glm::uvec3> faces{{0, 1, 2}, {0, 2, 3}};
-    append_mesh_springs(springs, positions, faces);
+    append_mesh_springs(springs, positions, faces, std::vector<glm::vec3>(2, {0, 1, 0}));
     ASSERT_EQ(springs.size(), 6u);
-    EXPECT_EQ(springs.back().kind, SpringKind::bend);
+    EXPECT_EQ(springs.back().kind, SpringKind::hinge);
     EXPECT_EQ(std::set<std::uint32_t>({springs.back().a, springs.back().b}), std::set<std::uint32_t>({1, 3}));
 }
 
@@ -69,19 +75,22 @@ TEST(SpringTable, holds_every_spring_from_both_ends_and_nothing_else)
         const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
         const SpringTable& table = model.spring_table;
         std::size_t found = 0;
-        for (int kind = 0; kind < kSpringKindCount; ++kind) {
-            EXPECT_EQ(table.first_slot[kind] % 4, 0);
-            for (int slot = table.first_slot[kind]; slot < table.first_slot[kind + 1]; ++slot)
+        for (int group = 0; group < kSpringGroupCount; ++group) {
+            EXPECT_EQ(table.first_slot[group] % 4, 0);
+            for (int slot = table.first_slot[group]; slot < table.first_slot[group + 1]; ++slot)
                 for (std::uint32_t v = 0; v < table.vertex_count; ++v) {
                     const std::size_t entry = std::size_t(slot) * table.vertex_count + v;
-                    if (table.rest_lengths[entry] < 0) {
-                        EXPECT_EQ(table.neighbours[entry], v);
+                    const std::uint32_t neighbour = table.neighbours[entry], index = table.springs[entry];
+                    if (index == SpringTable::kNoSpring) {
+                        EXPECT_EQ(neighbour, v);
                         continue;
                     }
                     ++found;
-                    EXPECT_FLOAT_EQ(
-                        table.rest_lengths[entry],
-                        glm::distance(model.rest_positions[v], model.rest_positions[table.neighbours[entry]]));
+                    const Spring& spring = model.springs[index];
+                    EXPECT_EQ(spring_group(spring.kind), group);
+                    EXPECT_TRUE((spring.a == v && spring.b == neighbour) || (spring.b == v && spring.a == neighbour));
+                    EXPECT_FLOAT_EQ(spring.rest_length,
+                                    glm::distance(model.rest_positions[v], model.rest_positions[neighbour]));
                 }
         }
         EXPECT_EQ(found, 2 * model.springs.size());

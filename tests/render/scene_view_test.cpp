@@ -23,7 +23,7 @@ class SceneViewTest : public GlTest
     {
         SceneView view(sheet.topology());
         Picture picture;
-        view.draw_picture(params, view.upload_positions(sheet.positions), colliders, picture);
+        view.draw_picture(params, view.upload_positions(sheet.positions), {bodies}, picture);
         return picture;
     }
     // The middle of the cloth as the parameters place it.
@@ -31,7 +31,7 @@ class SceneViewTest : public GlTest
     static float brightness(glm::vec3 colour) { return (colour.r + colour.g + colour.b) / 3; }
 
     ViewParams params;
-    Colliders colliders;
+    Bodies bodies;
 };
 
 TEST_F(SceneViewTest, gouraud_look_matches_its_reference)
@@ -44,8 +44,8 @@ TEST_F(SceneViewTest, phong_look_with_a_sphere_matches_its_reference)
     params.look = Look::phong;
     params.background = Background::daylight;
     params.texture_scale = 1.5f;
-    colliders.spheres = {{{0.6f, -0.2f, 0.3f}, 0.3f}};
-    colliders.planes = {{{0, 1, 0}, -0.5f}};
+    bodies.spheres = {{{0.6f, -0.2f, 0.3f}, 0.3f}};
+    bodies.planes = {{{0, 1, 0}, -0.5f}};
     expect_matches_reference(draw(bent_sheet(33, texture_path("print.bmp"))), "phong");
 }
 
@@ -119,9 +119,9 @@ TEST_F(SceneViewTest, cloth_follows_the_buffer_it_is_drawn_from)
     const Buffer here = make_buffer(sheet.positions, GL_STATIC_DRAW);
     const Buffer there = make_buffer(away, GL_STATIC_DRAW);
     Picture with, without, again;
-    view.draw_picture(params, here.id(), colliders, with);
-    view.draw_picture(params, there.id(), colliders, without);
-    view.draw_picture(params, here.id(), colliders, again);
+    view.draw_picture(params, here.id(), {bodies}, with);
+    view.draw_picture(params, there.id(), {bodies}, without);
+    view.draw_picture(params, here.id(), {bodies}, again);
     EXPECT_GT(compare_pictures(with, without).changed_part, 0.08);
     EXPECT_EQ(with.rgba, again.rgba);
 }
@@ -131,7 +131,7 @@ TEST_F(SceneViewTest, a_sphere_hides_the_cloth_behind_it)
     const BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));
     params.camera_azimuth = 0;
     const glm::vec3 cloth = cloth_colour(draw(sheet));
-    colliders.spheres = {{{0, 0.4f, 0.8f}, 0.3f}};
+    bodies.spheres = {{{0, 0.4f, 0.8f}, 0.3f}};
     const glm::vec3 ball = cloth_colour(draw(sheet));
     EXPECT_GT(glm::distance(cloth, ball), 20);
     EXPECT_GT(ball.r, ball.b) << "spheres are of clay";
@@ -167,9 +167,9 @@ TEST_F(SceneViewTest, a_plane_of_the_scene_is_shown_in_place_of_the_floor)
     const BentSheet sheet = bent_sheet(17, {});
     params.floor_height = -1;
     const Picture low = draw(sheet);
-    colliders.planes = {{{0, 1, 0}, -1.0f}};
+    bodies.planes = {{{0, 1, 0}, -1.0f}};
     EXPECT_EQ(low.rgba, draw(sheet).rgba);
-    colliders.planes = {{{0.6f, 0.8f, 0}, -0.5f}};
+    bodies.planes = {{{0.6f, 0.8f, 0}, -0.5f}};
     EXPECT_GT(compare_pictures(low, draw(sheet)).changed_part, 0.02);
 }
 

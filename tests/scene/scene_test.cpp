@@ -38,7 +38,8 @@ std::string refusal(const std::string& text)
 TEST(Scene, every_scene_of_the_library_loads_has_a_title_and_ends_with_a_check)
 {
     const std::vector<std::string> names = scene_names();
-    EXPECT_THAT(names, testing::IsSupersetOf({"seed", "hang", "flag", "curtain", "drape", "gale"}));
+    EXPECT_THAT(names, testing::IsSupersetOf({"seed", "hang", "flag", "curtain", "drape", "gale", "table", "mannequin",
+                                              "twist", "stack", "swing"}));
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
         EXPECT_FALSE(scene.title.empty()) << name;
@@ -72,8 +73,8 @@ TEST(Scene, keys_reach_the_parameters_the_sheets_and_the_bodies)
     EXPECT_EQ(scene.params.count_pass_through, 1);
     ASSERT_EQ(scene.view.size(), 1u);
     EXPECT_EQ(scene.view[0].text, "phong");
-    EXPECT_EQ(scene.colliders.spheres.at(0).radius, 0.5f);
-    EXPECT_EQ(scene.colliders.planes.at(0).normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(scene.bodies.spheres.at(0).radius, 0.5f);
+    EXPECT_EQ(scene.bodies.planes.at(0).normal, glm::vec3(0, 1, 0));
     EXPECT_EQ(scene.check.frames, 10);
     const SheetSource sheet = make_sheets(scene, scene.params).front();
     EXPECT_THAT(sheet.pins, testing::UnorderedElementsAre(0, 1, 2, 3, 4, 10, 24));
@@ -109,7 +110,7 @@ TEST(Scene, what_is_wrong_is_named_with_file_and_line)
     EXPECT_THAT(refusal("[params]\ndamping = inf\n" + kSheet), HasSubstr("test.toml:2"));
     EXPECT_THAT(refusal("[params]\ndamping = nan\n" + kSheet), HasSubstr("test.toml:2"));
     EXPECT_THAT(refusal("[params]\nsubsteps = 1.5\n" + kSheet), HasSubstr("test.toml:2"));
-    EXPECT_THAT(refusal("[params]\nmethod = 1\n" + kSheet), HasSubstr("explicit_euler or symplectic_euler"));
+    EXPECT_THAT(refusal("[params]\nmethod = 1\n" + kSheet), HasSubstr("explicit_euler, symplectic_euler"));
     EXPECT_THAT(refusal("[params]\ndamping = [1]\n" + kSheet), HasSubstr("test.toml:2"));
     EXPECT_THAT(refusal("titel = \"x\"\n" + kSheet), AllOf(HasSubstr("test.toml:1"), HasSubstr("nearest is title")));
     EXPECT_THAT(refusal("title = 3\n" + kSheet), HasSubstr("test.toml:1"));
@@ -141,6 +142,93 @@ TEST(Scene, bodies_and_checks_that_make_no_sense_are_named)
     EXPECT_THAT(refusal(kSheet + "[check]\ncontacts = [1, 2]\n"), HasSubstr("frames"));
     EXPECT_THAT(refusal(kSheet + "[check]\nframes = 5\ncontacts = [2, 1]\n"), HasSubstr("[least, most]"));
     EXPECT_THAT(refusal(kSheet + "[check]\nframes = 5\ncontact = [1, 2]\n"), HasSubstr("nearest is contacts"));
+}
+
+TEST(Scene, bodies_of_every_shape_are_read_with_their_keyframes)
+{
+    const Scene scene =
+        load(kSheet +
+             "[[capsule]]\nfrom = [0, 1, 0]\nto = [1, 1, 0]\nradius = 0.2\n"
+             "[[box]]\ncentre = [0, 1, 0]\nsize = [1, 2, 3]\naxis = [0, 0, 2]\nangle = 90\n"
+             "keyframes = [{ time = 1, move = [1, 0, 0] }, { time = 2, angle = 180, axis = [1, 0, 0] }]\n"
+             "easing = \"linear\"\npivot = [0, 0, 1]\n"
+             "[[sphere]]\nkeyframes = [{ time = 0, quaternion = [0, 0, 2, 2] }]\n");
+    const Capsule& capsule = scene.bodies.capsules.at(0);
+    EXPECT_EQ(capsule.to, glm::vec3(1, 1, 0));
+    EXPECT_FALSE(capsule.motion.moves());
+    const Box& box = scene.bodies.boxes.at(0);
+    EXPECT_LE(glm::distance(box.rotation * glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)), 1e-6f);
+    ASSERT_EQ(box.motion.keyframes.size(), 2u);
+    EXPECT_EQ(box.motion.keyframes[0].move, glm::dvec3(1, 0, 0));
+    EXPECT_NEAR(box.motion.keyframes[1].angle, 3.14159265, 1e-7);
+    EXPECT_EQ(box.motion.easing, Easing::linear);
+    EXPECT_EQ(box.motion.pivot, glm::dvec3(0, 0, 1));
+    const Keyframe turned = scene.bodies.spheres.at(0).motion.keyframes.at(0);
+    EXPECT_EQ(turned.axis, glm::dvec3(0, 0, 1));
+    EXPECT_NEAR(turned.angle, 1.57079633, 1e-7);
+}
+
+TEST(Scene, pins_on_handles_are_read)
+{
+    const Scene scene = load(
+        "[[sheet]]\ncolumns = 5\npins = [12]\n"
+        "handles = [{ name = \"b\", pins = [\"left\"] }, { name = \"a\", pins = [4] }]\n"
+        "[[handle]]\nname = \"a\"\n[[handle]]\nname = \"b\"\n");
+    const SheetSource sheet = make_sheets(scene, scene.params).front();
+    EXPECT_THAT(sheet.pins, testing::ElementsAre(12));
+    ASSERT_EQ(sheet.handle_pins.size(), 6u);
+    EXPECT_EQ(sheet.handle_pins[0].handle, 1u);
+    EXPECT_EQ(sheet.handle_pins[5].handle, 0u);
+    EXPECT_EQ(sheet.handle_pins[5].vertex, 4u);
+}
+
+TEST(Scene, bodies_that_cannot_be_are_named_with_their_line)
+{
+    const auto box = [](const std::string& text) { return refusal(kSheet + "[[box]]\n" + text + "\n"); };
+    EXPECT_THAT(box("size = [1, -1, 1]"), AllOf(HasSubstr("test.toml:4"), HasSubstr("above 0")));
+    EXPECT_THAT(box("axis = [0, 0, 0]"), AllOf(HasSubstr("test.toml:4"), HasSubstr("not all zero")));
+    EXPECT_THAT(box("quaternion = [0, 0, 0, 0]"), HasSubstr("not all zero, [x, y, z, w]"));
+    EXPECT_THAT(box("quaternion = [1, 0, 0]"), HasSubstr("[x, y, z, w]"));
+    EXPECT_THAT(box("angle = 3\nquaternion = [0, 0, 0, 1]"), HasSubstr("left out where angle is given"));
+    EXPECT_THAT(box("thickness = 1"), AllOf(HasSubstr("test.toml:4"), HasSubstr("nearest is")));
+    EXPECT_THAT(refusal(kSheet + "[[capsule]]\nradius = -0.1\n"),
+                AllOf(HasSubstr("test.toml:4"), HasSubstr("above 0")));
+    EXPECT_THAT(refusal(kSheet + "[[body_mesh]]\n"), HasSubstr("OBJ file"));
+    EXPECT_THAT(refusal(kSheet + "[[body_mesh]]\nmesh = \"m.obj\"\n"), HasSubstr("m.obj"));
+    EXPECT_THAT(refusal(kSheet + "[box]\n"), HasSubstr("[[box]]"));
+}
+
+TEST(Scene, keyframes_that_make_no_motion_are_named_with_their_line)
+{
+    const auto keyframes = [](const std::string& text) {
+        return refusal(kSheet + "[[box]]\nkeyframes = " + text + "\n");
+    };
+    EXPECT_THAT(keyframes("[{ time = 1 }, { time = 0.5 }]"),
+                AllOf(HasSubstr("test.toml:4"), HasSubstr("later than"), HasSubstr("1 s")));
+    EXPECT_THAT(keyframes("[{ time = 1 }, { time = 1 }]"), HasSubstr("later than"));
+    EXPECT_THAT(keyframes("[{ move = [1, 0, 0] }]"), HasSubstr("in every keyframe"));
+    EXPECT_THAT(keyframes("[{ time = inf }]"), HasSubstr("finite number of seconds"));
+    EXPECT_THAT(keyframes("[{ time = 1, turn = 3 }]"), AllOf(HasSubstr("test.toml:4"), HasSubstr("unknown key turn")));
+    EXPECT_THAT(keyframes("[]"), HasSubstr("at least one keyframe"));
+    EXPECT_THAT(keyframes("[3]"), HasSubstr("{time"));
+    EXPECT_THAT(keyframes("[{ time = 1 }]\neasing = \"cubic\""), HasSubstr("smooth or linear"));
+    EXPECT_THAT(keyframes("[{ time = 1 }]\nrepeat = true"), HasSubstr("two keyframes"));
+    EXPECT_THAT(keyframes("[{ time = 1 }, { time = 2, angle = 90 }]\nrepeat = true"), HasSubstr("where the first is"));
+    EXPECT_EQ(keyframes("[{ time = 1 }, { time = 2, angle = 360 }]\nrepeat = true"), "accepted");
+}
+
+TEST(Scene, handles_that_do_not_fit_are_named_with_their_line)
+{
+    const std::string handle = "[[handle]]\nname = \"left\"\n";
+    const auto sheet = [](const std::string& text) { return "[[sheet]]\ncolumns = 5\n" + text + "\n"; };
+    EXPECT_THAT(refusal(sheet("handles = [{ name = \"lift\", pins = [0] }]") + handle),
+                AllOf(HasSubstr("test.toml:3"), HasSubstr("nearest is left")));
+    EXPECT_THAT(refusal(sheet("handles = [{ name = \"left\", pins = [0] }]")), HasSubstr("add one named left"));
+    EXPECT_THAT(refusal(sheet("handles = [{ name = \"left\" }]") + handle), HasSubstr("that the handle carries"));
+    EXPECT_THAT(refusal(sheet("pins = [0]\nhandles = [{ name = \"left\", pins = [\"top\"] }]") + handle),
+                AllOf(HasSubstr("test.toml:4"), HasSubstr("vertex 0"), HasSubstr("test.toml:3")));
+    EXPECT_THAT(refusal(sheet("") + handle + handle), HasSubstr("no other handle"));
+    EXPECT_THAT(refusal(sheet("") + "[[handle]]\n"), HasSubstr("name"));
 }
 
 TEST(Scene, an_unknown_name_lists_those_there_are)

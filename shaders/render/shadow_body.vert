@@ -1,0 +1,11 @@
+#version 430 core
+// A body as the key light sees it on the floor.
+#include "shared/render_bindings.h"
+#include "render/view_block.glsl"
+#include "render/shadow_projection.glsl"
+#include "render/placed_body.glsl"
+
+void main()
+{
+    gl_Position = on_shadow_square(placed_position());
+}

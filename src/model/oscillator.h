@@ -1,0 +1,25 @@
+// Stability of the explicit methods on an oscillator, from the update formulas themselves.
+#pragma once
+
+#include "model/sim_params.h"
+
+namespace nuno {
+
+// a = -omega^2 x - rate v.
+struct Oscillator
+{
+    double omega;  // [rad/s]
+    double rate;   // [1/s]
+};
+
+// True where no solution of `method` with substep h [s] grows: every root of the characteristic polynomial of the linear
+// map that a substep applies to the state is within the unit circle (criterion of Jury).
+bool is_stable(Method method, const Oscillator& oscillator, double h);
+
+// The smallest h [s] from which on `method` is no longer stable; 0 where no h is. Method must be explicit.
+double stable_until(Method method, const Oscillator& oscillator);
+
+// True for explicit_euler, symplectic_euler, verlet and rk4.
+bool is_explicit(Method method);
+
+}  // namespace nuno

@@ -1,0 +1,17 @@
+// What is left to nuno among the parameters: method, substeps and tethers.
+#pragma once
+
+#include "model/cloth_model.h"
+#include "model/sim_params.h"
+
+namespace nuno {
+
+// `asked` with every "auto" replaced: method becomes symplectic_euler where that is stable with the substeps asked for
+// (or, where these are 0, with at most kMostExplicitSubsteps), else xpbd; substeps 0 becomes what the method needs;
+// tethers become pins with xpbd and vbd, else none. What was asked for by name stays, stable or not.
+SimParams resolve_params(const ClothModel& model, const SimParams& asked);
+
+// Substeps a frame up to which an explicit method is taken rather than xpbd.
+inline constexpr int kMostExplicitSubsteps = 24;
+
+}  // namespace nuno

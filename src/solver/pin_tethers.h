@@ -1,0 +1,40 @@
+// The tethers of all sheets to vertices that are held, found anew where these or the parameters change.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "model/tethers.h"
+
+namespace nuno {
+
+class PinTethers
+{
+  public:
+    // `model` must outlive it. `method`: for messages.
+    PinTethers(const ClothModel& model, std::string_view method)
+        : model_(model), method_(method), held_(model.vertex_count())
+    {
+    }
+
+    void set_held(std::uint32_t vertex, bool held);
+
+    // True where the tethers are others than after the call before. Error where tethers are asked for that only other
+    // methods have.
+    bool refresh(const SimParams& params);
+
+    bool any() const { return !tethers_.empty(); }
+    // Tether k of a vertex of the model is at k * vertex_count + vertex; empty: none.
+    const std::vector<Tether>& tethers() const { return tethers_; }
+
+  private:
+    const ClothModel& model_;
+    const std::string_view method_;
+    std::vector<std::uint8_t> held_;
+    bool held_changed_ = true, wanted_ = false;
+    float stretch_ = 0;
+    std::vector<Tether> tethers_;
+};
+
+}  // namespace nuno

@@ -1,0 +1,157 @@
+// XPBD and vertex block descent in compute shaders against CPU threads where their own parts differ from other methods':
+// tethers, strain limit, bending, what comes between steps. The same bits on a software renderer.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/error.h"
+#include "gl/egl_context.h"
+#include "solver/method_table.h"
+#include "support/sheets.h"
+
+namespace nuno {
+namespace {
+
+class GpuPositionTest : public testing::TestWithParam<Method>
+{
+  protected:
+    GpuPositionTest() : context_(make_headless_context())
+    {
+        params_.method = GetParam();
+        params_.sweep = Sweep::coloured;
+        params_.tethers = Tethers::pins;
+        params_.substeps = 6;
+        params_.structural_stiffness = 2000;
+        params_.shear_stiffness = 500;
+        params_.gravity_z = 1;
+    }
+    ~GpuPositionTest() override
+    {
+        for (const std::string& error : take_gl_errors()) ADD_FAILURE() << error;
+    }
+
+    // Calls body(solver) with a solver of each backend, and expects the same state after it.
+    template <class Body>
+    void expect_agreement(const ClothModel& model, const Bodies& bodies, const Body& body)
+    {
+        ThreadPool pool(2);
+        ClothState states[2];
+        for (const Backend backend : {Backend::cpu, Backend::gpu}) {
+            SimParams params = params_;
+            params.backend = backend;
+            const auto solver = make_solver(model, bodies, params, pool);
+            ClothState& state = states[backend == Backend::gpu];
+            state = start_state(model, params);
+            solver->upload(state);
+            body(*solver, params);
+            solver->download_positions(state.positions);
+            solver->download_velocities(state.velocities);
+        }
+        if (gl_info().software) {
+            EXPECT_EQ(state_hash(states[0]), state_hash(states[1]));
+            return;
+        }
+        for (std::size_t v = 0; v < states[0].positions.size(); ++v)
+            EXPECT_LE(glm::distance(glm::vec3(states[0].positions[v]), glm::vec3(states[1].positions[v])), 1e-2f);
+    }
+
+    std::unique_ptr<Context> context_;
+    SimParams params_;
+    const Bodies none_;
+};
+
+void run(ClothSolver& solver, const SimParams& params, int first_frame, int count)
+{
+    for (int frame = first_frame; frame < first_frame + count; ++frame)
+        solver.step({params, frame / double(params.frame_rate), params.substeps});
+}
+
+// 17 x 17 fits into one work group, 40 x 40 does not.
+TEST_P(GpuPositionTest, small_and_large_sheets_with_tethers_and_several_iterations_agree)
+{
+    for (const int count : {17, 40})
+        for (const int iterations : {0, 3}) {
+            params_.iterations = iterations;
+            const ClothModel model = square_cloth(count, 1, {0, static_cast<std::uint32_t>(count - 1)});
+            expect_agreement(model, none_, [](ClothSolver& solver, SimParams& params) { run(solver, params, 0, 20); });
+        }
+}
+
+TEST_P(GpuPositionTest, several_sheets_with_bending_limit_and_moving_air_agree)
+{
+    std::vector<SheetSource> sources{square_mesh(12, 1, 16), square_sheet(9, 0.5f, {0}), square_mesh(6, 0.3f)};
+    sources[0].pins = {3, 90};
+    const ClothModel model = build_cloth_model(sources, MassLumping::area);
+    params_.strain_limit = 0.05f;
+    params_.tether_stretch = 0.1f;
+    params_.bending_warp = params_.bending_weft = params_.bending_bias = 1e-4f;
+    params_.wind_model = WindModel::aero;
+    params_.wind_z = 5;
+    params_.gust_speed = 2;
+    Bodies bodies;
+    bodies.spheres.push_back({{0.4f, -0.4f, 0.3f}, 0.2f});
+    expect_agreement(model, bodies, [](ClothSolver& solver, SimParams& params) { run(solver, params, 0, 20); });
+}
+
+TEST_P(GpuPositionTest, pins_velocities_and_parameters_that_change_between_steps_agree)
+{
+    const ClothModel model = square_cloth(17, 1, {0, 16}, MassLumping::area);
+    expect_agreement(model, none_, [&](ClothSolver& solver, SimParams& params) {
+        run(solver, params, 0, 3);
+        solver.set_vertex(200, {0.2f, -0.3f, 0.4f, 0});
+        run(solver, params, 3, 3);
+        std::vector<glm::vec4> velocities(model.vertex_count());
+        solver.download_velocities(velocities);
+        for (std::size_t v = 50; v < 60; ++v) velocities[v] += glm::vec4(0.5f, -0.25f, 1, 0);
+        solver.upload_velocities(velocities);
+        run(solver, params, 6, 2);
+        solver.set_vertex(200, {0.2f, -0.3f, 0.4f, 1 / (params.areal_density * model.areas[200])});
+        params.substeps = 9;
+        params.structural_stiffness = 50;
+        params.strain_limit = 0.2f;
+        run(solver, params, 8, 3);
+        params.tethers = Tethers::none;
+        params.strain_limit = 0;
+        params.stiffness_damping = 0;
+        run(solver, params, 11, 3);
+    });
+}
+
+TEST_P(GpuPositionTest, tethers_to_contacts_are_refused_by_name)
+{
+    const ClothModel model = square_cloth(5, 1, {0});
+    params_.backend = Backend::gpu;
+    params_.tethers = Tethers::contacts;
+    ThreadPool pool(1);
+    try {
+        make_solver(model, none_, params_, pool);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("choose pins or none"), std::string::npos) << error.what();
+    }
+}
+
+TEST(GpuXpbd, refuses_an_order_that_only_the_cpu_has_and_lists_its_own)
+{
+    const std::unique_ptr<Context> context = make_headless_context();
+    const ClothModel model = square_cloth(5, 1, {0});
+    SimParams params;
+    params.method = Method::xpbd;
+    params.backend = Backend::gpu;
+    params.substeps = 5;
+    params.tethers = Tethers::none;
+    params.sweep = Sweep::rows;
+    ThreadPool pool(1);
+    try {
+        make_solver(model, {}, params, pool);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("coloured"), std::string::npos) << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, GpuPositionTest, testing::Values(Method::xpbd, Method::vbd),
+                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+
+}  // namespace
+}  // namespace nuno

@@ -1,0 +1,341 @@
+// Small-step XPBD: one spring, the order of its steps, what it keeps, and that no layout changes the physics.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "model/force_model.h"
+#include "solver/by_lanes.h"
+#include "solver/cpu_xpbd.h"
+#include "support/sheets.h"
+
+namespace nuno {
+namespace {
+
+const Bodies kNoBodies;
+
+SimParams xpbd_params(Sweep sweep)
+{
+    SimParams params;
+    params.backend = Backend::cpu;
+    params.method = Method::xpbd;
+    params.tethers = Tethers::none;
+    params.sweep = sweep;
+    params.frame_rate = 1;
+    return params;
+}
+
+ClothState run(const ClothModel& model, const SimParams& params, ClothState state, int substeps, int threads = 1,
+               int lanes = 0)
+{
+    ThreadPool pool(threads);
+    CpuXpbd solver(model, kNoBodies, params, pool, lanes);
+    solver.upload(state);
+    solver.step({params, 0, substeps});
+    solver.download_positions(state.positions);
+    solver.download_velocities(state.velocities);
+    return state;
+}
+
+void shake(ClothState& state, float size)
+{
+    std::mt19937 random(2);
+    std::normal_distribution<float> at(0, size);
+    for (glm::vec4& p : state.positions)
+        if (p.w > 0) p += glm::vec4(at(random), at(random), at(random), 0);
+}
+
+double kinetic(const ClothModel& model, const ClothState& state, const SimParams& params)
+{
+    double sum = 0;
+    for (std::uint32_t v = 0; v < model.vertex_count(); ++v)
+        sum += 0.5 * double(model.areas[v] * params.areal_density) *
+               double(glm::dot(glm::vec3(state.velocities[v]), glm::vec3(state.velocities[v])));
+    return sum;
+}
+
+double rms_distance(const ClothState& a, const ClothState& b)
+{
+    double sum = 0;
+    for (std::size_t v = 0; v < a.positions.size(); ++v) {
+        const glm::dvec3 d = glm::dvec3(a.positions[v]) - glm::dvec3(b.positions[v]);
+        sum += glm::dot(d, d);
+    }
+    return std::sqrt(sum / double(a.positions.size()));
+}
+
+class XpbdTest : public testing::TestWithParam<Sweep>
+{};
+INSTANTIATE_TEST_SUITE_P(Sweeps, XpbdTest, testing::Values(Sweep::rows, Sweep::coloured));
+
+// Two faces whose only stiff spring is the one across their edge. With step s = 2 h / 3, BDF2 of x'' = -k w (x - l0) is
+//     y = (4 x0 - x_last) / 3 + s (4 v0 - v_last) / 3,   x1 - l0 = (y - l0) / (1 + s^2 k w),   v1 = v' + (x1 - y) / s,
+// and its first substep takes x_last = x0 - h v0, v_last = v0.
+TEST(Xpbd, one_spring_follows_the_second_order_backward_difference)
+{
+    SheetSource source;
+    source.mesh.positions = {{0, 0, 0}, {1, 0.5f, 0}, {1, -0.5f, 0}, {2, 0, 0}};
+    source.mesh.uvs.resize(4);
+    source.mesh.faces = {{0, 2, 1}, {1, 2, 3}};
+    source.pins = {0};
+    const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::equal);
+    SimParams params = xpbd_params(Sweep::coloured);
+    params.structural_stiffness = 0;
+    params.gravity_y = params.damping = 0;
+    for (const float stiffness : {1.0f, 1e3f, 1e7f}) {
+        params.bend_stiffness = stiffness;
+        params.substeps = 100;
+        const double h = 0.01, s = 2 * h / 3, k = double(stiffness);
+        ClothState state = start_state(model, params);
+        const double w = double(state.positions[3].w);
+        state.positions[3].x += 0.1f;
+        double x = double(state.positions[3].x), v = 0, x_last = x, v_last = 0;
+        for (int step = 1; step <= 50; ++step) {
+            const double v1 = (4 * v - v_last) / 3, y = (4 * x - x_last) / 3 + s * v1;
+            x_last = x, v_last = v;
+            x = 2 + (y - 2) / (1 + s * s * k * w);
+            v = v1 + (x - y) / s;
+            if (step % 10 != 0) continue;
+            const ClothState end = run(model, params, state, step);
+            // Each substep rounds x, near 2, to 1.2e-7, and the root is good to 6e-7 of 2.
+            EXPECT_NEAR(double(end.positions[3].x), x, step * 2e-6) << stiffness << ", substep " << step;
+        }
+    }
+}
+
+// In a short substep from a state without a past, v1 = v0 + h g + (2 h / 3) f / m with the forces of springs and plates
+// at v = 0; what is left falls with h.
+TEST_P(XpbdTest, a_short_substep_adds_the_forces_of_springs_and_plates)
+{
+    for (const auto& [columns, rows] : {std::pair{10, 10}, {23, 5}, {60, 7}, {3, 40}}) {
+        SheetSource source;
+        source.mesh =
+            grid_mesh(columns, rows, {0, 0, 0}, {0.05f * float(columns - 1), 0, 0}, {0, -0.04f * float(rows - 1), 0});
+        source.columns = columns;
+        source.rows = rows;
+        source.pins = {1};
+        const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
+        SimParams params = xpbd_params(GetParam());
+        params.internal_model = InternalModel::fabric_springs;
+        params.warp_stiffness = 30, params.weft_stiffness = 50, params.shear_modulus = 10;
+        params.bending_warp = 1e-3f, params.bending_weft = 2e-3f, params.bending_bias = 3e-3f;
+        params.damping = 0;
+        params.substeps = 5000;
+        ClothState state = start_state(model, params);
+        shake(state, 2e-3f);
+        std::vector<glm::dvec3> x, v(state.positions.size()), force(state.positions.size());
+        for (const glm::vec4& p : state.positions) x.emplace_back(p);
+        const ForceModel forces(model, params);
+        forces.forces(x, v, 0, force);
+        const ClothState end = run(model, params, state, 1);
+        const double h = double(substep_s(params)), g = double(params.gravity_y);
+        double worst = 0, scale = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            if (state.positions[i].w == 0) continue;
+            const double m = forces.mass(static_cast<std::uint32_t>(i));
+            const glm::dvec3 springs = force[i] / m - glm::dvec3(0, g, 0);
+            const glm::dvec3 expected = h * glm::dvec3(0, g, 0) + 2 * h / 3 * springs;
+            scale = std::max(scale, glm::length(expected));
+            worst = std::max(worst, glm::length(glm::dvec3(end.velocities[i]) - expected));
+        }
+        // A stiff spring is taken implicitly: its force is smaller by the share s^2 k / m, here up to 2 %.
+        EXPECT_LT(worst, 0.05 * scale) << columns << " x " << rows;
+    }
+}
+
+// x(t) = v t + g t^2 / 2 is a solution that BDF2 reproduces; the first substep takes x_last = x0 - h v0, which is
+// g h^2 / 2 off, and leaves half of that.
+TEST_P(XpbdTest, free_fall_is_exact_but_for_the_first_substep)
+{
+    const ClothModel model = square_cloth(20, 1);
+    SimParams params = xpbd_params(GetParam());
+    params.damping = 0;
+    params.substeps = 600;
+    const ClothState start = start_state(model, params), end = run(model, params, start, 600);
+    const double h = 1.0 / 600;
+    for (std::size_t v = 0; v < start.positions.size(); ++v) {
+        EXPECT_NEAR(double(end.velocities[v].y), -9.81, 1e-4);
+        EXPECT_NEAR(double(end.positions[v].y - start.positions[v].y), -9.81 / 2, 9.81 * h * h + 3e-5);
+        EXPECT_NEAR(double(end.positions[v].x), double(start.positions[v].x), 2e-5);
+    }
+}
+
+// Against a run with short substeps, the error of a soft sheet that swings falls with h^2.
+TEST_P(XpbdTest, is_of_second_order)
+{
+    const ClothModel model = square_cloth(10, 1, {0, 9});
+    SimParams params = xpbd_params(GetParam());
+    params.gravity_z = 1;
+    const auto at = [&](int substeps) {
+        params.substeps = substeps;
+        return run(model, params, start_state(model, params), substeps / 4);
+    };
+    const ClothState finest = at(1600);
+    // To the limit: e(h) - e(h / 2^n) with e = C h^2.
+    const double coarse = rms_distance(at(200), finest), fine = rms_distance(at(400), finest);
+    EXPECT_NEAR(std::log2(coarse / fine), std::log2((64 - 1) / (16 - 1.0)), 0.15);
+}
+
+TEST_P(XpbdTest, momentum_without_outer_forces_is_kept)
+{
+    const ClothModel model = square_cloth(40, 1, {}, MassLumping::area);
+    SimParams params = xpbd_params(GetParam());
+    params.gravity_y = params.damping = 0;
+    params.structural_stiffness = 1e4f;
+    params.substeps = 600;
+    ClothState state = start_state(model, params);
+    shake(state, 0.005f);
+    const ClothState end = run(model, params, state, 50);
+    glm::dvec3 momentum(0), motion(0);
+    for (std::size_t v = 0; v < end.velocities.size(); ++v)
+        for (int c = 0; c < 3; ++c) {
+            const double p = double(end.velocities[v][c]) * double(model.areas[v]);
+            momentum[c] += p, motion[c] += std::abs(p);
+        }
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_GT(motion[c], 1e-3);
+        EXPECT_LT(std::abs(momentum[c]), 1e-3 * motion[c]);
+    }
+}
+
+// The products of projections of a sweep and its reverse have real eigenvalues in 0 .. 1: nothing grows, however stiff
+// the springs and wherever the pins.
+TEST_P(XpbdTest, no_energy_is_gained_however_stiff_the_springs)
+{
+    for (const std::vector<std::uint32_t>& pins :
+         {std::vector<std::uint32_t>{}, {0, 47}, {47 * 48, 48 * 48 - 1}, {0, 47 * 48}})
+        for (const float stiffness : {10.0f, 1e4f, 1e8f}) {
+            const ClothModel model = square_cloth(48, 1, pins);
+            SimParams params = xpbd_params(GetParam());
+            params.gravity_y = params.damping = 0;
+            params.structural_stiffness = params.shear_stiffness = stiffness;
+            params.bend_stiffness = stiffness / 50;
+            params.substeps = 300;
+            ClothState state = start_state(model, params);
+            std::mt19937 random(3);
+            std::normal_distribution<float> at(0, 0.1f);
+            for (std::size_t v = 0; v < state.velocities.size(); ++v)
+                if (state.positions[v].w > 0) state.velocities[v] += glm::vec4(at(random), at(random), at(random), 0);
+            const double before = kinetic(model, state, params);
+            for (const int substeps : {5, 50, 200})
+                EXPECT_LT(kinetic(model, run(model, params, state, substeps), params), before)
+                    << stiffness << ", " << substeps << " substeps, " << pins.size() << " pins";
+        }
+}
+
+TEST_P(XpbdTest, threads_and_widths_of_vectors_change_no_bit)
+{
+    const ClothModel model = square_cloth(70, 2, {0, 69}, MassLumping::area);
+    SimParams params = xpbd_params(GetParam());
+    params.tethers = Tethers::pins;
+    params.structural_stiffness = 1e4f;
+    params.bending_warp = params.bending_weft = params.bending_bias = 1e-4f;
+    params.strain_limit = 0.05f;
+    params.substeps = 300;
+    ClothState start = start_state(model, params);
+    shake(start, 1e-3f);
+    const std::uint64_t expected = state_hash(run(model, params, start, 21, 1, 4));
+    for (const int threads : {1, 2, 3})
+        for (const int lanes : {4, 8, 16})
+            if (lanes <= machine_lanes())
+                EXPECT_EQ(state_hash(run(model, params, start, 21, threads, lanes)), expected)
+                    << threads << " threads, " << lanes << " lanes";
+}
+
+TEST(Xpbd, rows_and_colours_hang_the_same_cloth)
+{
+    for (const auto& [columns, rows] : {std::pair{17, 17}, {40, 12}, {5, 33}, {2, 2}}) {
+        SheetSource source;
+        source.mesh = grid_mesh(columns, rows, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
+        source.columns = columns;
+        source.rows = rows;
+        source.pins = {0, static_cast<std::uint32_t>(columns) - 1};
+        const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
+        ClothState ends[2];
+        for (const Sweep sweep : {Sweep::rows, Sweep::coloured}) {
+            SimParams params = xpbd_params(sweep);
+            params.tethers = Tethers::pins;
+            params.structural_stiffness = 500;
+            params.shear_stiffness = 250;
+            params.gravity_z = 1;
+            params.substeps = 1200;
+            ends[sweep == Sweep::coloured] = run(model, params, start_state(model, params), 600);
+        }
+        EXPECT_LT(rms_distance(ends[0], ends[1]), 5e-3) << columns << " x " << rows;
+    }
+}
+
+TEST_P(XpbdTest, a_held_vertex_stays_and_its_tethers_follow_it)
+{
+    const ClothModel model = square_cloth(24, 1, {0});
+    SimParams params = xpbd_params(GetParam());
+    params.tethers = Tethers::pins;
+    params.structural_stiffness = 1e4f;
+    params.shear_stiffness = 5e3f;
+    params.substeps = 600;
+    ThreadPool pool(1);
+    CpuXpbd solver(model, kNoBodies, params, pool);
+    ClothState state = start_state(model, params);
+    solver.upload(state);
+    const std::uint32_t held = 24 * 24 - 1;
+    const glm::vec4 from = state.positions[held];
+    glm::vec4 place = from;
+    for (int frame = 1; frame <= 60; ++frame) {
+        place = from + glm::vec4(0, 0.5f, 1, 0) * (float(frame) / 60);
+        place.w = 0;
+        solver.set_vertex(held, place);
+        solver.step({params, frame / 60.0, 10});
+    }
+    solver.download_positions(state.positions);
+    EXPECT_EQ(state.positions[held], place);
+    double longest = 0;
+    for (std::uint32_t v = 0; v < model.vertex_count(); ++v)
+        for (const std::uint32_t anchor : {0u, held}) {
+            const double rest = double(glm::distance(model.rest_positions[v], model.rest_positions[anchor]));
+            const double now = double(glm::distance(glm::vec3(state.positions[v]), glm::vec3(state.positions[anchor])));
+            if (rest > 0.2) longest = std::max(longest, now / rest);
+        }
+    EXPECT_LT(longest, 1.01);
+}
+
+TEST_P(XpbdTest, a_strain_limit_holds_soft_springs)
+{
+    const ClothModel model = square_cloth(12, 1, {0, 11});
+    double stretch[2];
+    for (const bool limited : {false, true}) {
+        SimParams params = xpbd_params(GetParam());
+        params.structural_stiffness = 20;
+        params.shear_stiffness = 10;
+        params.strain_limit = limited ? 0.02f : 0;
+        params.damping = 1;
+        params.substeps = 1200;
+        const ClothState end = run(model, params, start_state(model, params), 2400);
+        double& worst = stretch[limited] = 0;
+        for (const Spring& spring : model.springs)
+            worst = std::max(
+                worst, double(glm::distance(glm::vec3(end.positions[spring.a]), glm::vec3(end.positions[spring.b])) /
+                              spring.rest_length) -
+                           1);
+    }
+    EXPECT_GT(stretch[0], 0.1);
+    EXPECT_LT(stretch[1], 0.025);
+}
+
+TEST_P(XpbdTest, stiffness_over_ten_decades_stays_finite)
+{
+    const ClothModel model = square_cloth(20, 1, {0, 19}, MassLumping::area);
+    for (float stiffness = 1e-4f; stiffness <= 1e6f; stiffness *= 10) {
+        SimParams params = xpbd_params(GetParam());
+        params.structural_stiffness = params.shear_stiffness = params.bend_stiffness = stiffness;
+        params.substeps = 120;
+        const ClothState end = run(model, params, start_state(model, params), 120);
+        EXPECT_FALSE(first_not_finite(end.positions)) << stiffness;
+        EXPECT_LT(kinetic(model, end, params), 100) << stiffness;
+    }
+}
+
+}  // namespace
+}  // namespace nuno
