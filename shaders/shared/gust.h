@@ -1,5 +1,5 @@
-// Gusts: a field of value noise. On a lattice of whole numbers, periodic over 256 along each axis, every point has three
-// random numbers in -1 .. 1; between them the field is blended so that two derivatives are continuous.
+// Gusts: a field of value noise. On a lattice of whole numbers, periodic over 256 along each axis, every point has
+// three random numbers in -1 .. 1; between them the field is blended so that two derivatives are continuous.
 #define GUST_PERIOD 256
 
 // The random numbers of a lattice point: its coordinates (modulo the period) and a seed, mixed by multiplications and

@@ -33,8 +33,8 @@ SHARED_FN CornerForces membrane_forces(Vec3 e1, Vec3 e2, Vec3 u1, Vec3 u2, FaceR
     PRECISE Vec3 g_weft = rest.weft_1 * u1 + rest.weft_2 * u2;
     PRECISE Real along_warp = one_half * (dot_product(f_warp, f_warp) - one) + c.damping * dot_product(f_warp, g_warp);
     PRECISE Real along_weft = one_half * (dot_product(f_weft, f_weft) - one) + c.damping * dot_product(f_weft, g_weft);
-    PRECISE Real angle = dot_product(f_warp, f_weft) +
-                         c.damping * (dot_product(f_warp, g_weft) + dot_product(g_warp, f_weft));
+    PRECISE Real angle =
+        dot_product(f_warp, f_weft) + c.damping * (dot_product(f_warp, g_weft) + dot_product(g_warp, f_weft));
     PRECISE Real s_warp = rest.area * (c.warp * along_warp + c.cross * along_weft);
     PRECISE Real s_weft = rest.area * (c.cross * along_warp + c.weft * along_weft);
     PRECISE Real s_angle = rest.area * (c.shear * angle);

@@ -1,5 +1,5 @@
-// The classic Runge-Kutta method of fourth order for one particle over a substep h [s]. The slopes k of the state (x, v)
-// are (v, a(x, v)); stages s = 1 .. 4 take theirs at the start plus 0, h/2, h/2, h times the slope before, and
+// The classic Runge-Kutta method of fourth order for one particle over a substep h [s]. The slopes k of the state (x,
+// v) are (v, a(x, v)); stages s = 1 .. 4 take theirs at the start plus 0, h/2, h/2, h times the slope before, and
 //   x1 = x0 + h/6 (k1 + 2 k2 + 2 k3 + k4),  v1 alike.
 
 // The state at which the next stage takes its slope: `step` [s] from the start along the slope (v, a).

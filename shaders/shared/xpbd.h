@@ -1,8 +1,8 @@
 // Small-step XPBD (Macklin 2019): one spring's share of a substep as a correction of positions.
 
-// 1 / sqrt(a) for a >= 0 to 6e-7 of its value, finite at 0, from operations that every machine rounds alike: a guess from
-// the bits and two Newton steps, the constants of the first being those of J. Kadlec (2010), its factor 0.7039 moved
-// into those of the second.
+// 1 / sqrt(a) for a >= 0 to 6e-7 of its value, finite at 0, from operations that every machine rounds alike: a guess
+// from the bits and two Newton steps, the constants of the first being those of J. Kadlec (2010), its factor 0.7039
+// moved into those of the second.
 SHARED_FN Real inverse_root(Real a)
 {
     PRECISE Real guess = halved_bits_from(0x5f1ffff9u, a);
@@ -57,8 +57,8 @@ SHARED_FN Motion assumed_last(Motion m, Vec3 a, Real h)
     return motion(x, v);
 }
 
-// The end of a substep: the velocity that includes what moved the particle from `predicted` to x; exactly v where nothing
-// did. per_step = 1 / step.
+// The end of a substep: the velocity that includes what moved the particle from `predicted` to x; exactly v where
+// nothing did. per_step = 1 / step.
 SHARED_FN Vec3 corrected_velocity(Vec3 v, Vec3 predicted, Vec3 x, Real per_step)
 {
     PRECISE Vec3 corrected = v + per_step * (x - predicted);

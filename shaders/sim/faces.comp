@@ -12,7 +12,7 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(binding = UNIT_POSITIONS) uniform samplerBuffer old_positions;
 layout(binding = UNIT_VELOCITIES) uniform samplerBuffer old_velocities;
 layout(binding = UNIT_FACES) uniform isamplerBuffer faces;
-layout(binding = UNIT_FACE_RESTS) uniform samplerBuffer face_rests; // two texels a face: warp_1, warp_2, weft_1, weft_2; area
+layout(binding = UNIT_FACE_RESTS) uniform samplerBuffer face_rests; // two texels: warp_1, warp_2, weft_1, weft_2; area
 layout(std430, binding = BLOCK_FACE_FORCES) writeonly buffer FaceForces { vec4 face_forces[]; };
 layout(std140, binding = BLOCK_PARAMS) uniform SimParams
 {

@@ -1,6 +1,6 @@
 #version 430 core
-// One step of vertex block descent of the vertices of one colour, in place: no two of them are neighbours, so none reads
-// what this dispatch writes. One invocation a place.
+// One step of vertex block descent of the vertices of one colour, in place: no two of them are neighbours, so none
+// reads what this dispatch writes. One invocation a place.
 // Defined by the caller: LIMITED (0, 1), and what sim/forces.glsl needs.
 #include "shared/dialect.glsl"
 #include "sim/forces.glsl"

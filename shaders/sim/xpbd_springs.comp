@@ -1,6 +1,6 @@
 #version 430 core
-// Projects the springs of one colour in place: no two of them share a vertex, so none reads what this dispatch writes for
-// another. One invocation a spring.
+// Projects the springs of one colour in place: no two of them share a vertex, so none reads what this dispatch writes
+// for another. One invocation a spring.
 // Defined by the caller: LIMITED (0, 1).
 #include "shared/bindings.h"
 #include "shared/dialect.glsl"

@@ -14,6 +14,7 @@
 #include "app/viewer_session.h"
 #include "gl/context.h"
 #include "model/diagnostics.h"
+#include "model/stability.h"
 
 namespace nuno {
 
@@ -23,9 +24,10 @@ struct ViewerMeters
     GlInfo gl;
     StageHistory stages;
     ViewerPace pace;
-    CollisionCounts count;                   // of the last simulated frame
-    std::optional<Diagnostics> diagnostics;  // of some frame lately; none where the user turned them off
-    bool measure = true;                     // the checkbox: diagnostics copy the cloth from the device
+    CollisionCounts count;                      // of the last simulated frame
+    std::optional<Diagnostics> diagnostics;     // of some frame lately; none where the user turned them off
+    std::optional<PresentStability> stability;  // of the same frame
+    bool measure = true;                        // the checkbox: diagnostics copy the cloth from the device
 };
 
 // What the user asked for that the panel cannot do itself.

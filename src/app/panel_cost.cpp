@@ -64,7 +64,16 @@ void draw_stages(const StageHistory& stages)
             "A window that is slower than the cloth shows several simulated frames at once.");
 }
 
-void draw_cloth_numbers(ViewerMeters& meters, ViewerLog& log)
+// The substep beside the longest one that is stable where the cloth is now.
+std::string substep_text(const SimParams& params, const PresentStability& stability)
+{
+    const double limit_s = stability.largest_stable_substep_s;
+    const std::string used = fmt::format("{} of {:.3g} ms", params.substeps, 1000 * double(substep_s(params)));
+    if (limit_s >= kAnySubstep) return used + ", any is stable";
+    return used + (limit_s > 0 ? fmt::format(", stable to {:.3g} ms", 1000 * limit_s) : ", none is stable");
+}
+
+void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog& log)
 {
     ImGui::Checkbox("energy and strain", &meters.measure);
     note_control(log, "measure");
@@ -81,6 +90,7 @@ void draw_cloth_numbers(ViewerMeters& meters, ViewerLog& log)
         text_pair("largest strain", fmt::format("{:.1f} %", 100 * d.max_strain));
         text_pair("highest speed", fmt::format("{:.2f} m/s", d.max_speed));
     }
+    if (meters.diagnostics && meters.stability) text_pair("substeps", substep_text(params, *meters.stability));
     ImGui::EndTable();
 }
 
@@ -92,7 +102,7 @@ void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerL
     draw_stage_graph(meters.stages, ImGui::GetContentRegionAvail().x, kGraphHeight * scale);
     draw_stages(meters.stages);
     ImGui::Separator();
-    draw_cloth_numbers(meters, log);
+    draw_cloth_numbers(session.simulation().params(), meters, log);
 }
 
 }  // namespace nuno

@@ -156,6 +156,7 @@ void Viewer::measure()
     if (!meters_.measure || session_.went_bad()) return meters_.diagnostics.reset();
     if (meters_.diagnostics && frames_to_measurement_ > 0) return;
     meters_.diagnostics = session_.simulation().diagnostics();
+    meters_.stability = session_.simulation().stability();
     frames_to_measurement_ = kFramesPerMeasurement;
 }
 

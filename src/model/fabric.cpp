@@ -51,9 +51,9 @@ FabricConstants fabric_constants(Fabric fabric)
                 .weft_stiffness = 277,
                 .cross_stiffness = 67,
                 .shear_modulus = 105,
-                .bending_warp = 17e-6f,
-                .bending_weft = 17e-6f,
-                .bending_bias = 15e-6f,
+                .bending_warp = 13e-6f,
+                .bending_weft = 13e-6f,
+                .bending_bias = 12e-6f,
                 .thickness = 0.318e-3f,
                 .friction = 0.3f,
                 .static_friction = 0.4f};

@@ -46,8 +46,8 @@ formulas::FaceRest face_rest(const ClothModel& model, std::size_t face)
 
 FaceForces face_forces(const SimParams& p)
 {
-    const bool air = p.wind_model == WindModel::aero && p.air_density > 0 &&
-                     (p.pressure_coefficient > 0 || p.skin_coefficient > 0);
+    const bool air =
+        p.wind_model == WindModel::aero && p.air_density > 0 && (p.pressure_coefficient > 0 || p.skin_coefficient > 0);
     return {p.internal_model == InternalModel::continuum, air, air && p.gust_speed > 0};
 }
 
@@ -82,9 +82,10 @@ formulas::MembraneConstants membrane_constants(const SimParams& p)
 {
     const double most = double(p.warp_stiffness) * double(p.weft_stiffness);
     if (double(p.cross_stiffness) * double(p.cross_stiffness) > most * (1 + 1e-6))
-        throw Error(fmt::format("cross_stiffness: {} N/m is more than the root of warp_stiffness times weft_stiffness, "
-                                "{:.4g} N/m; a cloth like that would stretch by itself; choose no more than that",
-                                p.cross_stiffness, std::sqrt(most)));
+        throw Error(
+            fmt::format("cross_stiffness: {} N/m is more than the root of warp_stiffness times weft_stiffness, "
+                        "{:.4g} N/m; a cloth like that would stretch by itself; choose no more than that",
+                        p.cross_stiffness, std::sqrt(most)));
     return {p.warp_stiffness, p.weft_stiffness, p.cross_stiffness, p.shear_modulus, p.stiffness_damping};
 }
 

@@ -22,8 +22,8 @@ FaceForces face_forces(const SimParams& params);
 // a float holds: it gets an area, but no gradients, so that its membrane exerts no force.
 std::vector<formulas::FaceRest> face_rests(const ClothModel& model);
 
-// ELLPACK: entry (slot, vertex) at slot * vertex_count + vertex is corner * face_count + face, faces in ascending order;
-// past the last of a vertex it is 3 * face_count. slot_count is a multiple of 4.
+// ELLPACK: entry (slot, vertex) at slot * vertex_count + vertex is corner * face_count + face, faces in ascending
+// order; past the last of a vertex it is 3 * face_count. slot_count is a multiple of 4.
 struct CornerTable
 {
     std::uint32_t vertex_count, face_count;

@@ -12,8 +12,8 @@ struct Oscillator
     double rate;   // [1/s]
 };
 
-// True where no solution of `method` with substep h [s] grows: every root of the characteristic polynomial of the linear
-// map that a substep applies to the state is within the unit circle (criterion of Jury).
+// True where no solution of `method` with substep h [s] grows: every root of the characteristic polynomial of the
+// linear map that a substep applies to the state is within the unit circle (criterion of Jury).
 bool is_stable(Method method, const Oscillator& oscillator, double h);
 
 // The smallest h [s] from which on `method` is no longer stable; 0 where no h is. Method must be explicit.

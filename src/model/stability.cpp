@@ -42,8 +42,8 @@ double springs_omega_sq(const ClothModel& model, const SimParams& params)
         const Spring& spring = model.springs[i];
         const glm::dvec3 n =
             glm::normalize(glm::dvec3(model.rest_positions[spring.b] - model.rest_positions[spring.a]));
-        const glm::dmat3 block = double(weights[i].axial) * glm::outerProduct(n, n) +
-                                 std::abs(double(weights[i].plate)) * glm::dmat3(1);
+        const glm::dmat3 block =
+            double(weights[i].axial) * glm::outerProduct(n, n) + std::abs(double(weights[i].plate)) * glm::dmat3(1);
         blocks[spring.a] += block;
         blocks[spring.b] += block;
     }
@@ -82,7 +82,8 @@ double membrane_omega_sq(const ClothModel& model, const SimParams& params)
     const glm::dmat3 root = root_of_stiffness(membrane_constants(params));
     std::vector<double> face_areas(model.vertex_count());
     for (std::size_t face = 0; face < rests.size(); ++face)
-        for (int corner = 0; corner < 3; ++corner) face_areas[model.faces[face][corner]] += double(rests[face].area) / 3;
+        for (int corner = 0; corner < 3; ++corner)
+            face_areas[model.faces[face][corner]] += double(rests[face].area) / 3;
     double omega_sq = 0;
     for (std::size_t face = 0; face < rests.size(); ++face) {
         glm::dvec3 inverse_masses(0);
@@ -116,8 +117,6 @@ int substeps_for(const SimParams& params, double limit_s)
     const ParamInfo* info = find_param(sim_param_table(), "substeps");
     return count <= info->max ? std::max(1, static_cast<int>(count)) : 0;
 }
-
-constexpr double kAnySubstep = 1e9;
 
 }  // namespace
 

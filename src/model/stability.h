@@ -13,8 +13,8 @@
 namespace nuno {
 
 // Upper bound of the largest angular frequency [rad/s] at rest. Springs and plate: omega^2 <= max over vertices of
-// 2 lambda_max(sum k n n^T) / m, since v^T K v = sum k (n.(v_i - v_j))^2 <= 2 sum_i v_i^T D_i v_i; on the seed's grid it
-// is 4 (k + ks + kb) / m. Membrane: the largest of the faces one by one, each with its share of the vertices' mass
+// 2 lambda_max(sum k n n^T) / m, since v^T K v = sum k (n.(v_i - v_j))^2 <= 2 sum_i v_i^T D_i v_i; on the seed's grid
+// it is 4 (k + ks + kb) / m. Membrane: the largest of the faces one by one, each with its share of the vertices' mass
 // (Irons and Treharne 1971). The squares add up.
 double omega_max_bound(const ClothModel& model, const SimParams& params);
 
@@ -27,13 +27,15 @@ double omega_max(const ClothModel& model, const SimParams& params, const ClothSt
 // Cloth may be stretched by this share of its length before the limits of a cloth at rest are too long.
 inline constexpr double kStretchAllowedFor = 0.2;
 
+// The largest stable substep [s] of a method that is stable with any.
+inline constexpr double kAnySubstep = 1e9;
+
 // Largest substep [s] at which params.method is stable for every mode up to omega [rad/s], with the damper of the air,
-// rate c = damping / areal_density, and Rayleigh damping beta omega^2; 0 where none is, 1e9 for a method that is stable
-// with any.
+// rate c = damping / areal_density, and Rayleigh damping beta omega^2; 0 where none is.
 double largest_stable_substep(const SimParams& params, double omega);
 
-// The same at the bound, raised for stretched cloth: of a spring to l from l0 by 2 - l0 / l in omega^2, of the membrane,
-// which stiffens, by (1 + e)^2 + e + e^2 / 2 at the stretch e.
+// The same at the bound, raised for stretched cloth: of a spring to l from l0 by 2 - l0 / l in omega^2, of the
+// membrane, which stiffens, by (1 + e)^2 + e + e^2 / 2 at the stretch e.
 double largest_stable_substep(const ClothModel& model, const SimParams& params);
 
 // Substeps a frame that keep the substep at or under the largest stable one; 0 where no number does.

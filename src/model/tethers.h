@@ -33,8 +33,8 @@ class SheetGeodesics
     SheetGeodesics(const ClothModel& model, const Sheet& sheet);
 
     // Tether k of vertex v of the sheet is at k * vertex_count + v - first_vertex: to the nearest anchors of the two
-    // nearest groups, in the order of the groups, so that neighbours have like tethers in one slot. `held`: one a vertex
-    // of the model, not 0 where it is an anchor. Anchors themselves have none.
+    // nearest groups, in the order of the groups, so that neighbours have like tethers in one slot. `held`: one a
+    // vertex of the model, not 0 where it is an anchor. Anchors themselves have none.
     std::vector<Tether> pin_tethers(std::span<const std::uint8_t> held) const;
 
     // The nearest anchor of every vertex and the way to it, the same for all groups.

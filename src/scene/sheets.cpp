@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "model/grid_recovery.h"
 #include "scene/scene.h"
 
 namespace nuno {
@@ -145,6 +146,11 @@ std::vector<SheetSource> make_sheets(const Scene& scene, const SimParams& params
             if (sheet.pleats > 0) source.start = pleated(sheet, source.mesh);
         } else {
             source.mesh = load_obj(sheet.mesh);
+            if (std::optional<RecoveredGrid> grid = recover_grid(source.mesh)) {
+                source.columns = grid->columns;
+                source.rows = grid->rows;
+                source.grid_order = std::move(grid->order);
+            }
             add_pins(scene, sheet, {0, 0}, source);
         }
         sources.push_back(std::move(source));

@@ -48,6 +48,20 @@ Json frame_json(const FrameRecord& record)
             {"max_speed", d.max_speed}};
 }
 
+// Null where the numbers went bad; the substep is null where the method is stable with any, or with none.
+Json stability_json(Simulation& simulation)
+{
+    const std::optional<PresentStability> stability = simulation.stability();
+    if (!stability) return nullptr;
+    const double limit_s = stability->largest_stable_substep_s;
+    const bool limited = limit_s > 0 && limit_s < kAnySubstep;
+    return {{"omega_max", stability->omega_max},
+            {"omega_bound_at_rest", stability->omega_bound},
+            {"substep_s", double(substep_s(simulation.params()))},
+            {"largest_stable_substep_s", limited ? Json(limit_s) : Json(nullptr)},
+            {"least_stable_substeps", stability->least_substeps}};
+}
+
 Json summary_json(const RunRecorder& recorder, Simulation& simulation)
 {
     Json stages;
@@ -66,6 +80,7 @@ Json summary_json(const RunRecorder& recorder, Simulation& simulation)
             {"worst_strain", metrics.peak_strain},
             {"total_contacts", static_cast<std::uint64_t>(metrics.contacts)},
             {"total_unresolved", static_cast<std::uint64_t>(metrics.passed_through)},
+            {"stability", stability_json(simulation)},
             {"state_hash", hash_text(simulation.state())}};
 }
 

@@ -50,6 +50,7 @@ void Simulation::build(const SimParams& asked)
     collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, *pool);
     pool_ = std::move(pool);
     model_ = std::move(model);
+    stiffest_mode_.clear();
     asked_ = asked;
     params_ = params;
     restart();
@@ -212,11 +213,19 @@ void Simulation::move_held_vertex(float duration_s)
         if (table.springs[entry] == SpringTable::kNoSpring) continue;
         const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
         const float length = std::max(glm::length(thread), 1e-12f);
-        const float slack = std::max((1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length, 0.0f);
+        const float slack =
+            std::max((1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length, 0.0f);
         way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
     }
     held_->position += way;
     solver_->set_vertex(held_->vertex, glm::vec4(held_->position, 0));
+}
+
+std::optional<PresentStability> Simulation::stability()
+{
+    const ClothState& now = state();
+    if (first_not_finite(now.positions) || first_not_finite(now.velocities)) return std::nullopt;
+    return present_stability(*model_, params_, now, stiffest_mode_);
 }
 
 std::optional<std::string> Simulation::stability_warning() const

@@ -9,6 +9,7 @@
 #include "core/thread_pool.h"
 #include "model/cloth_state.h"
 #include "model/diagnostics.h"
+#include "model/stability.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
 #include "solver/cloth_solver.h"
@@ -55,6 +56,9 @@ class Simulation
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
 
+    // How stable the parameters are where the cloth is now; the frequency is found anew each time, from where it was
+    // found last. Nothing where a number is no longer finite.
+    std::optional<PresentStability> stability();
     // A warning where the substep is longer than the method's stable one, with the number of substeps that holds.
     std::optional<std::string> stability_warning() const;
 
@@ -83,6 +87,7 @@ class Simulation
     bool positions_fresh_ = false, velocities_fresh_ = false;
     std::vector<glm::vec4> pass_positions_;  // at the last pass, for counting what went through since
     std::optional<Held> held_;
+    std::vector<glm::dvec3> stiffest_mode_;  // of stability()
     int frame_ = 0;
     double time_s_ = 0;
     double pending_s_ = 0;

@@ -15,9 +15,9 @@ inline constexpr int kColourBatch = 16;
 // Places past the last vertex that positions must have room for: what fills up a batch joins these.
 inline constexpr std::uint32_t kSparePlaces = 4 * kColourBatch;
 
-// Constraints of kEnds vertices, the same number of floats each, by colour and in batches. Batch b has the places of end
-// k of its constraints at ends(b) + k kColourBatch, and number n of each at numbers(b) + n kColourBatch. What fills up
-// the last batch of a colour has numbers 0.
+// Constraints of kEnds vertices, the same number of floats each, by colour and in batches. Batch b has the places of
+// end k of its constraints at ends(b) + k kColourBatch, and number n of each at numbers(b) + n kColourBatch. What fills
+// up the last batch of a colour has numbers 0.
 class ConstraintColours
 {
   public:
@@ -50,8 +50,8 @@ class ConstraintColours
     std::vector<float> numbers_;
 };
 
-// Numbers of a spring (two ends) and of a plate (four ends, C = sum of coefficient x); shares are solver/spring_share.h's,
-// limit_length and hardness shaders/shared/xpbd.h's.
+// Numbers of a spring (two ends) and of a plate (four ends, C = sum of coefficient x); shares are
+// solver/spring_share.h's, limit_length and hardness shaders/shared/xpbd.h's.
 enum SpringNumber : int
 {
     kRestLength,

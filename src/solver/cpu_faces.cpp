@@ -32,9 +32,9 @@ struct FaceKernel
     NUNO_WIDE_INLINE F::CornerForces membrane(const WideVec3* x, const WideVec3* v, const F::FaceRest& at_rest) const
     {
         const formulas::MembraneConstants& c = in.membrane;
-        return F::membrane_forces(x[1] - x[0], x[2] - x[0], v[1] - v[0], v[2] - v[0], at_rest,
-                                  {WideFloat(c.warp), WideFloat(c.weft), WideFloat(c.cross), WideFloat(c.shear),
-                                   WideFloat(c.damping)});
+        return F::membrane_forces(
+            x[1] - x[0], x[2] - x[0], v[1] - v[0], v[2] - v[0], at_rest,
+            {WideFloat(c.warp), WideFloat(c.weft), WideFloat(c.cross), WideFloat(c.shear), WideFloat(c.damping)});
     }
 
     NUNO_WIDE_INLINE void block(int block) const
@@ -51,7 +51,8 @@ struct FaceKernel
         WideVec3 outer(0.0f);
         if (in.wanted.membrane) inner = membrane(x, v, at_rest);
         if (in.wanted.air) {
-            const WideVec3 u = F::relative_air(air_velocity(F::face_mean(x[0], x[1], x[2])), F::face_mean(v[0], v[1], v[2]));
+            const WideVec3 u =
+                F::relative_air(air_velocity(F::face_mean(x[0], x[1], x[2])), F::face_mean(v[0], v[1], v[2]));
             const formulas::Air& a = in.air;
             outer = F::third_of(F::face_air_force(x[1] - x[0], x[2] - x[0], u, at_rest.area,
                                                   {WideFloat(a.density), WideFloat(a.pressure), WideFloat(a.skin),
@@ -63,7 +64,6 @@ struct FaceKernel
         store(forces, i + 2 * face_count, outer + inner.on_2);
     }
 };
-
 
 NUNO_SIMD_CLONES void run_blocks_of_faces(const FaceKernel& kernel, Range blocks)
 {

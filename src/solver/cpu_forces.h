@@ -19,8 +19,8 @@ struct ForceTerms
     const float *inverse_mass, *area;
     glm::vec3 gravity;
     float damping, areal_density;
-    float stiffness_damping;  // beta [s]
-    float wind;               // [N/m2]
+    float stiffness_damping;          // beta [s]
+    float wind;                       // [N/m2]
     const CpuFaces* faces = nullptr;  // none: no forces on faces
     FaceInputs face_inputs{};         // x and v left to run_face_pass
 

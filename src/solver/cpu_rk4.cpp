@@ -5,8 +5,8 @@ namespace nuno {
 
 constexpr int kStages = 4;
 
-// Stage `number`, 0 .. 3, of a substep: reads the slopes at `forces.x`, `forces.v`, adds them to the sums, and leaves the
-// state of the next stage, or the end of the substep, in `next_x`, `next_v`.
+// Stage `number`, 0 .. 3, of a substep: reads the slopes at `forces.x`, `forces.v`, adds them to the sums, and leaves
+// the state of the next stage, or the end of the substep, in `next_x`, `next_v`.
 struct Rk4Stage
 {
     ForceTerms forces;
@@ -41,8 +41,8 @@ NUNO_SIMD_CLONES void stage_blocks(const Rk4Stage& s, Range blocks)
         const WideVec3 v = load(s.forces.v, i);
         const WideVec3 a = acceleration_of_block(s.forces, block, load(s.forces.x, i), v);
         const F::Motion start = F::motion(load(s.start_x, i), load(s.start_v, i));
-        const F::Motion before = s.number == 0 ? F::motion(WideVec3(0.0f), WideVec3(0.0f))
-                                               : F::motion(load(s.sum_v, i), load(s.sum_a, i));
+        const F::Motion before =
+            s.number == 0 ? F::motion(WideVec3(0.0f), WideVec3(0.0f)) : F::motion(load(s.sum_v, i), load(s.sum_a, i));
         const F::Motion sum = F::rk4_add(before, v, a, weight);
         store(s.sum_v, i, sum.position);
         store(s.sum_a, i, sum.velocity);
@@ -82,15 +82,15 @@ Rk4Stage CpuRk4::stage_at(const StepInput& input, int substep, int number)
     const float h = substep_s(input.params);
     const double part = (number + 1) / 2 / 2.0;  // of the substep: 0, 1/2, 1/2, 1
     Rk4Stage s{.forces = forces_.terms(input.params, input.start_time_s + (substep + part) * double(h)),
-            .bodies = bodies_.contacts(substep, input.params),
-            .start_x = positions_[from].lanes(),
-            .start_v = velocities_[from].lanes(),
-            .sum_v = velocity_sums_.lanes(),
-            .sum_a = acceleration_sums_.lanes(),
-            .next_x = last ? positions_[to].lanes() : stage_positions_[write].lanes(),
-            .next_v = last ? velocities_[to].lanes() : stage_velocities_[write].lanes(),
-            .number = number,
-            .h = h};
+               .bodies = bodies_.contacts(substep, input.params),
+               .start_x = positions_[from].lanes(),
+               .start_v = velocities_[from].lanes(),
+               .sum_v = velocity_sums_.lanes(),
+               .sum_a = acceleration_sums_.lanes(),
+               .next_x = last ? positions_[to].lanes() : stage_positions_[write].lanes(),
+               .next_v = last ? velocities_[to].lanes() : stage_velocities_[write].lanes(),
+               .number = number,
+               .h = h};
     s.forces.x = first ? s.start_x : stage_positions_[read].lanes();
     s.forces.v = first ? s.start_v : stage_velocities_[read].lanes();
     s.forces.inverse_mass = inverse_mass_.first();

@@ -90,16 +90,16 @@ VerletPass CpuVerlet::pass_at(const StepInput& input, int substep)
     const int from = (current_ + substep) % 2, to = 1 - from;
     const float h = substep_s(input.params);
     VerletPass p{.forces = forces_.terms(input.params, input.start_time_s + substep * double(h)),
-           .bodies = bodies_.contacts(std::min(substep, input.substep_count - 1), input.params),
-           .v = velocities_[from].lanes(),
-           .a = accelerations_.lanes(),
-           .new_x = positions_[to].lanes(),
-           .new_v = velocities_[to].lanes(),
-           .new_predicted = predicted_[to].lanes(),
-           .h = h,
-           .kick_s = 0.5f * h,
-           .kicks = substep > 0,
-           .drifts = substep < input.substep_count};
+                 .bodies = bodies_.contacts(std::min(substep, input.substep_count - 1), input.params),
+                 .v = velocities_[from].lanes(),
+                 .a = accelerations_.lanes(),
+                 .new_x = positions_[to].lanes(),
+                 .new_v = velocities_[to].lanes(),
+                 .new_predicted = predicted_[to].lanes(),
+                 .h = h,
+                 .kick_s = 0.5f * h,
+                 .kicks = substep > 0,
+                 .drifts = substep < input.substep_count};
     p.forces.x = positions_[from].lanes();
     p.forces.v = predicted_[from].lanes();
     p.forces.inverse_mass = inverse_mass_.first();

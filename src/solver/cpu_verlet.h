@@ -28,8 +28,8 @@ class CpuVerlet final : public CpuSolver
 
     CpuForces forces_;
     CpuBodies bodies_;
-    std::array<VertexLanes3, 2> predicted_;  // velocities at which accelerations are taken
-    VertexLanes3 accelerations_;             // of the state at the end of the last substep
+    std::array<VertexLanes3, 2> predicted_;       // velocities at which accelerations are taken
+    VertexLanes3 accelerations_;                  // of the state at the end of the last substep
     std::optional<SimParams> accelerations_for_;  // none: they are to be found anew
 };
 

@@ -13,8 +13,8 @@ namespace nuno {
 class CpuXpbd final : public ClothSolver
 {
   public:
-    // `model`, `bodies` and `pool` must outlive it. params.sweep: rows needs grid sheets, else Error. `lanes` of vectors,
-    // 16, 8 or 4, at most what the machine has, changes nothing but speed; 0: what the machine has.
+    // `model`, `bodies` and `pool` must outlive it. params.sweep: rows needs grid sheets, else Error. `lanes` of
+    // vectors, 16, 8 or 4, at most what the machine has, changes nothing but speed; 0: what the machine has.
     CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool, int lanes = 0);
 
     std::string_view name() const override { return "xpbd on cpu"; }

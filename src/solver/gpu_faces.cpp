@@ -55,10 +55,10 @@ void GpuFaces::refresh(const SimParams& params)
     compiled_for_ = wanted;
     if (!wanted.any()) return;
     const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
-    program_ = compute_program(
-        "sim/faces.comp",
-        {{"MEMBRANE", flag(wanted.membrane)}, {"AIR", flag(wanted.air)}, {"GUSTS", flag(wanted.gusts)}},
-        {{"generated/sim_params", glsl_fields(sim_param_table())}});
+    program_ =
+        compute_program("sim/faces.comp",
+                        {{"MEMBRANE", flag(wanted.membrane)}, {"AIR", flag(wanted.air)}, {"GUSTS", flag(wanted.gusts)}},
+                        {{"generated/sim_params", glsl_fields(sim_param_table())}});
 }
 
 void GpuFaces::run(const SimParams& params, double time_s)

@@ -5,28 +5,16 @@
 
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
+#include "solver/slot_quads.h"
 
 namespace nuno {
-namespace {
-
-// Four slots a texel: texel (quad, vertex) is at quad * vertex_count + vertex, so that neighbouring invocations read
-// neighbouring texels.
-template <class To, class From>
-std::vector<To> in_quads(const std::vector<From>& slots, std::size_t vertex_count)
-{
-    std::vector<To> quads(slots.size());
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        const std::size_t slot = i / vertex_count, vertex = i % vertex_count;
-        quads[((slot / 4) * vertex_count + vertex) * 4 + slot % 4] = static_cast<To>(slots[i]);
-    }
-    if (quads.empty()) quads.resize(4);  // a view of nothing is none
-    return quads;
-}
-
-}  // namespace
-
 GpuForces::GpuForces(const ClothModel& model, SpringRule rule)
-    : model_(model), rule_(rule), neighbours_(GL_RGBA32I), stiffness_(GL_RGBA32F), tension_(GL_RGBA32F), axial_(GL_RGBA32F)
+    : model_(model),
+      rule_(rule),
+      neighbours_(GL_RGBA32I),
+      stiffness_(GL_RGBA32F),
+      tension_(GL_RGBA32F),
+      axial_(GL_RGBA32F)
 {
 }
 
@@ -40,7 +28,8 @@ bool GpuForces::refresh(const SimParams& params)
     if (wanted.membrane) membrane_constants(params);
     if (wanted.any() && !faces_) faces_.emplace(model_);
     if (faces_) faces_->refresh(params);
-    const bool changed = first || quad_count_ != quads_before || damped != damped_ || wanted.any() != face_forces_.any();
+    const bool changed =
+        first || quad_count_ != quads_before || damped != damped_ || wanted.any() != face_forces_.any();
     face_forces_ = wanted;
     made_for_ = params;
     damped_ = damped;
@@ -62,7 +51,8 @@ void GpuForces::upload_springs(const SpringEntries& entries)
 
 std::vector<Define> GpuForces::defines() const
 {
-    return {{"SPRING_QUADS", std::to_string(quad_count_)}, {"DAMPED_SPRINGS", damped_ ? "1" : "0"},
+    return {{"SPRING_QUADS", std::to_string(quad_count_)},
+            {"DAMPED_SPRINGS", damped_ ? "1" : "0"},
             {"CORNER_QUADS", std::to_string(face_forces_.any() ? faces_->corner_quads() : 0)}};
 }
 

@@ -24,8 +24,8 @@ class GpuForces
     std::vector<Define> defines() const;
     // Binds the textures of springs and faces.
     void bind() const;
-    // Where there are forces on faces, computes them for the state bound as what kernels read; leaves another program in
-    // use then. To call before each kernel that takes accelerations.
+    // Where there are forces on faces, computes them for the state bound as what kernels read; leaves another program
+    // in use then. To call before each kernel that takes accelerations.
     void run_face_pass(double time_s);
 
   private:

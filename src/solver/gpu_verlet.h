@@ -30,8 +30,8 @@ class GpuVerlet final : public GpuSolver
 
     GpuForces forces_;
     GpuBodies bodies_;
-    std::array<VertexBuffer, 2> predicted_;  // velocities at which accelerations are taken
-    Buffer accelerations_;                   // of the state at the end of the last substep
+    std::array<VertexBuffer, 2> predicted_;       // velocities at which accelerations are taken
+    Buffer accelerations_;                        // of the state at the end of the last substep
     std::optional<SimParams> accelerations_for_;  // none: they are to be found anew
     Program kick_, drift_, kick_and_drift_;
 };

@@ -14,6 +14,17 @@ namespace {
 
 glm::vec3 gravity_of(const SimParams& p) { return {p.gravity_x, p.gravity_y, p.gravity_z}; }
 
+// Up to here a colour has so few springs that a dispatch for each costs more than gathering all springs at once, 8 times
+// (bench/position_bench.cpp).
+constexpr std::uint32_t kMostForJacobi = 4096;
+
+bool all_at_once(const SimParams& p, std::uint32_t vertex_count)
+{
+    if (p.sweep == Sweep::rows) throw Error("sweep: rows does not run on gpu; choose auto, coloured or jacobi");
+    const bool bends = p.bending_warp != 0 || p.bending_weft != 0 || p.bending_bias != 0;
+    return p.sweep == Sweep::jacobi || (p.sweep == Sweep::automatic && vertex_count <= kMostForJacobi && !bends);
+}
+
 }  // namespace
 
 GpuXpbd::GpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params)
@@ -22,7 +33,6 @@ GpuXpbd::GpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
       forces_(model),
       bodies_(bodies, model),
       tethers_(model, "xpbd on gpu"),
-      constraints_(model),
       inverse_masses_(model.vertex_count()),
       predicted_(vertex_count_),
       given_(vertex_count_ * sizeof(glm::vec4), nullptr, GL_DYNAMIC_DRAW),
@@ -74,26 +84,46 @@ void GpuXpbd::compile()
     finish_ = compute_program("sim/xpbd_finish.comp", defines, params);
 }
 
-void GpuXpbd::refresh_constraints(const SimParams& params)
+void GpuXpbd::refresh_springs(const SimParams& params)
 {
     const SimParams* const before = made_for_ ? &*made_for_ : nullptr;
-    const auto differs = [&](auto member) { return before->*member != params.*member; };
+    const auto differs = [&](auto member) { return !before || before->*member != params.*member; };
+    const bool limit_comes = before && (before->strain_limit > 0) != (params.strain_limit > 0);
+    const bool jacobi = all_at_once(params, vertex_count_), switches = !before || jacobi != gather_.has_value();
+    if (switches) {
+        gather_.reset();
+        constraints_.reset();
+        if (jacobi)
+            gather_.emplace(vertex_count_);
+        else
+            constraints_.emplace(model_);
+    }
+    const bool others = switches || limit_comes || spring_weights_differ(*before, params);
+    const bool times = differs(&SimParams::substeps) || differs(&SimParams::frame_rate);
+    if (others || times || masses_changed_ || differs(&SimParams::iterations) || differs(&SimParams::strain_limit)) {
+        if (gather_)
+            gather_->upload(make_jacobi_springs(model_, params, inverse_masses_));
+        else
+            refresh_constraints(params, others);
+    }
+    masses_changed_ = false;
+    if (times) last_is_known_ = false;
+}
+
+// `others`: other constraints than before, not only other numbers.
+void GpuXpbd::refresh_constraints(const SimParams& params, bool others)
+{
     const GpuConstraints::Numbers numbers{SubstepTimes(params).step, 2 * std::max(params.iterations, 1),
                                           params.strain_limit};
-    if (!before || spring_weights_differ(*before, params) || (before->strain_limit > 0) != (params.strain_limit > 0))
-        constraints_.choose(spring_weights(model_, params), numbers, inverse_masses_);
-    else if (masses_changed_ || differs(&SimParams::substeps) || differs(&SimParams::frame_rate) ||
-             differs(&SimParams::iterations) || differs(&SimParams::strain_limit))
-        constraints_.set_numbers(numbers, inverse_masses_);
-    masses_changed_ = false;
-    if (before && (differs(&SimParams::substeps) || differs(&SimParams::frame_rate))) last_is_known_ = false;
+    if (others)
+        constraints_->choose(spring_weights(model_, params), numbers, inverse_masses_);
+    else
+        constraints_->set_numbers(numbers, inverse_masses_);
 }
 
 void GpuXpbd::refresh(const SimParams& params)
 {
-    if (params.sweep == Sweep::rows || params.sweep == Sweep::jacobi)
-        throw Error("sweep: xpbd on gpu has coloured; choose coloured or auto");
-    refresh_constraints(params);
+    refresh_springs(params);
     const bool first = !made_for_, tethered = tethers_.any();
     const bool new_forces = forces_.refresh(params);
     if (tethers_.refresh(params) && tethers_.any()) gpu_tethers_.upload(tethers_.tethers());
@@ -160,7 +190,10 @@ void GpuXpbd::run_substep(const StepInput& input, int k)
     barrier_compute_to_compute();
 
     positions_[to].texture.bind(UNIT_POSITIONS);
-    constraints_.sweep(std::max(p.iterations, 1));
+    if (gather_)
+        gather_->run(jacobi_passes(p), positions_[to]);
+    else
+        constraints_->sweep(std::max(p.iterations, 1));
 
     bind_state(from, to);
     predicted_.texture.bind(UNIT_PREDICTED);

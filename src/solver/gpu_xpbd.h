@@ -1,4 +1,5 @@
-// Small-step XPBD in compute shaders, colour by colour: bit for bit what the cpu does with sweep = coloured.
+// Small-step XPBD in compute shaders, colour by colour or all springs at once: bit for bit what the cpu does with the
+// same sweep.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include "solver/gpu_bodies.h"
 #include "solver/gpu_constraints.h"
 #include "solver/gpu_forces.h"
+#include "solver/gpu_gather.h"
 #include "solver/gpu_solver.h"
 #include "solver/gpu_tethers.h"
 #include "solver/pin_tethers.h"
@@ -28,10 +30,11 @@ class GpuXpbd final : public GpuSolver
 
   private:
     void refresh(const SimParams& params);
-    void refresh_constraints(const SimParams& params);
+    void refresh_springs(const SimParams& params);
+    void refresh_constraints(const SimParams& params, bool others);
     void compile();
-    // Makes the motion before the present one that assumed_last has: of all vertices, or of those whose velocity differs
-    // from that in given_, which they take.
+    // Makes the motion before the present one what assumed_last has: of all vertices, or of those whose velocity is not
+    // that in given_, which they take.
     void forget_last(bool all);
     void run_substep(const StepInput& input, int k);
 
@@ -40,8 +43,9 @@ class GpuXpbd final : public GpuSolver
     GpuBodies bodies_;
     PinTethers tethers_;
     GpuTethers gpu_tethers_;
-    GpuConstraints constraints_;
-    std::vector<float> inverse_masses_;  // one a vertex
+    std::optional<GpuConstraints> constraints_;  // in colours
+    std::optional<GpuGather> gather_;            // all springs at once; one of the two is there
+    std::vector<float> inverse_masses_;          // one a vertex
     std::optional<SimParams> made_for_;
     bool masses_changed_ = true, last_is_known_ = false;
     VertexBuffer predicted_;

@@ -19,6 +19,14 @@ struct Share
     double all = 0, limit = 0;
 };
 
+// Slots of a group without a force are left out.
+bool has_share(const ClothModel& model, std::span<const Share> shares, int group)
+{
+    for (std::size_t n = 0; n < shares.size(); ++n)
+        if (spring_group(model.springs[n].kind) == group && shares[n].all > 0) return true;
+    return false;
+}
+
 }  // namespace
 
 int jacobi_passes(const SimParams& params) { return kPassesPerIteration * std::max(params.iterations, 1); }
@@ -33,40 +41,35 @@ JacobiSprings make_jacobi_springs(const ClothModel& model, const SimParams& para
     std::vector<double> taken(model.vertex_count());
     for (std::size_t n = 0; n < weights.size(); ++n) {
         if (weights[n].plate != 0)
-            throw Error("sweep: jacobi has no bending_warp, bending_weft and bending_bias; choose coloured, or 0 for them");
+            throw Error(
+                "sweep: jacobi has no bending_warp, bending_weft and bending_bias; choose coloured, or 0 for them");
         const Spring& spring = model.springs[n];
         const double both = double(inverse_masses[spring.a]) + double(inverse_masses[spring.b]);
         shares[n].all = spring_share(both, double(weights[n].axial), step, jacobi_passes(params));
         if (limited && shares[n].all > 0) shares[n].limit = 1 / both;
-        for (const std::uint32_t v : {spring.a, spring.b})
-            taken[v] += both * std::max(shares[n].all, shares[n].limit);
+        for (const std::uint32_t v : {spring.a, spring.b}) taken[v] += both * std::max(shares[n].all, shares[n].limit);
     }
-    const SpringEntries entries = spring_entries(model, weights);
-    JacobiSprings result{entries.vertex_count, entries.slot_count, entries.neighbours, {}, {}, {}, {}};
     const SpringTable& table = model.spring_table;
-    int slot = 0;
-    for (int from = 0; from < table.slot_count() && slot < entries.slot_count; ++from) {
-        const std::size_t begin = std::size_t(from) * table.vertex_count;
-        const std::size_t to = std::size_t(slot) * table.vertex_count;
-        // spring_entries leaves groups without a force out, in which no entry has one.
-        const bool kept = std::equal(table.neighbours.begin() + std::ptrdiff_t(begin),
-                                     table.neighbours.begin() + std::ptrdiff_t(begin + table.vertex_count),
-                                     entries.neighbours.begin() + std::ptrdiff_t(to));
-        if (!kept) continue;
-        ++slot;
-        for (std::uint32_t v = 0; v < table.vertex_count; ++v) {
-            const std::uint32_t n = table.springs[begin + v];
-            const Share share = n == SpringTable::kNoSpring ? Share{} : shares[n];
-            const double most = n == SpringTable::kNoSpring
-                                    ? 1
-                                    : std::max({1.0, taken[model.springs[n].a], taken[model.springs[n].b]});
-            const double length = n == SpringTable::kNoSpring ? 0 : double(model.springs[n].rest_length);
-            result.share.push_back(static_cast<float>(share.all / most));
-            result.share_length.push_back(static_cast<float>(share.all / most * length));
+    JacobiSprings result;
+    result.vertex_count = table.vertex_count;
+    for (int group = 0; group < kSpringGroupCount; ++group) {
+        if (!has_share(model, shares, group)) continue;
+        const std::size_t begin = std::size_t(table.first_slot[group]) * table.vertex_count;
+        const std::size_t end = std::size_t(table.first_slot[group + 1]) * table.vertex_count;
+        result.slot_count += table.first_slot[group + 1] - table.first_slot[group];
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool present = table.springs[i] != SpringTable::kNoSpring;
+            const Share share = present ? shares[table.springs[i]] : Share{};
+            const Spring spring = present ? model.springs[table.springs[i]] : Spring{};
+            const double most = present ? std::max({1.0, taken[spring.a], taken[spring.b]}) : 1;
+            const double all = share.all / most, length = double(spring.rest_length);
+            const double limit = static_cast<float>(all) > 0 ? share.limit / most : 0;  // none without the other
+            result.neighbours.push_back(table.neighbours[i]);
+            result.share.push_back(static_cast<float>(all));
+            result.share_length.push_back(static_cast<float>(all * length));
             if (!limited) continue;
-            result.limit.push_back(static_cast<float>(share.limit / most));
-            result.limit_length.push_back(
-                static_cast<float>(share.limit / most * length * (1 + double(params.strain_limit))));
+            result.limit.push_back(static_cast<float>(limit));
+            result.limit_length.push_back(static_cast<float>(limit * length * (1 + double(params.strain_limit))));
         }
     }
     return result;

@@ -25,8 +25,8 @@ class MeshConstraints
     // For these weights, one a spring of the model; `place_count` places; `limited`: springs will have a limit; numbers
     // left to set. Springs without a force are left out.
     void choose(std::span<const SpringWeight> weights, std::uint32_t place_count, bool limited);
-    // Numbers for a step [s] (shaders/shared/xpbd.h), `projections` of each constraint a substep, the largest stretch of
-    // springs (0: no limit), and inverse masses, the w of positions, by place.
+    // Numbers for a step [s] (shaders/shared/xpbd.h), `projections` of each constraint a substep, the largest stretch
+    // of springs (0: no limit), and inverse masses, the w of positions, by place.
     void set_numbers(float step, int projections, float limit, std::span<const glm::vec4> positions);
 
     const ConstraintColours& springs() const { return *springs_; }

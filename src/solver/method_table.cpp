@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "model/formulas.h"
 #include "solver/cpu_euler.h"
+#include "solver/cpu_jacobi.h"
 #include "solver/cpu_implicit.h"
 #include "solver/cpu_reference.h"
 #include "solver/cpu_rk4.h"
@@ -36,13 +37,18 @@ std::unique_ptr<ClothSolver> gpu(const SolverInput& in)
     return std::make_unique<Solver>(in.model, in.bodies, in.params);
 }
 
+std::unique_ptr<ClothSolver> cpu_xpbd(const SolverInput& in)
+{
+    return in.params.sweep == Sweep::jacobi ? cpu<CpuJacobi>(in) : cpu<CpuXpbd>(in);
+}
+
 // Method, name, order, on the CPU, on the GPU, continuum, tethers.
 constexpr MethodInfo kMethods[] = {
     {Method::explicit_euler, "explicit_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false},
     {Method::symplectic_euler, "symplectic_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false},
     {Method::verlet, "verlet", 2, cpu<CpuVerlet>, gpu<GpuVerlet>, true, false},
     {Method::rk4, "rk4", 4, cpu<CpuRk4>, gpu<GpuRk4>, true, false},
-    {Method::xpbd, "xpbd", 1, cpu<CpuXpbd>, gpu<GpuXpbd>, false, true},
+    {Method::xpbd, "xpbd", 2, cpu_xpbd, gpu<GpuXpbd>, false, true},
     {Method::vbd, "vbd", 1, cpu<CpuVbd>, gpu<GpuVbd>, false, true},
     {Method::implicit_euler, "implicit_euler", 1, cpu<CpuImplicit>, nullptr, false, false},
     {Method::sdirk2, "sdirk2", 2, cpu<CpuImplicit>, nullptr, false, false},

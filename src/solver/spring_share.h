@@ -6,8 +6,8 @@
 namespace nuno {
 
 // Projected `projections` times, a spring alone ends where backward Euler puts it: with alpha / (W + alpha) of its
-// excess, W the inverse masses of its ends together, alpha = 1 / (k h^2) in the same unit. Each projection leaves that to
-// the power 1 / projections. The share is what the excess is multiplied by for one unit of inverse mass.
+// excess, W the inverse masses of its ends together, alpha = 1 / (k h^2) in the same unit. Each projection leaves that
+// to the power 1 / projections. The share is what the excess is multiplied by for one unit of inverse mass.
 inline double spring_share(double inverse_masses, double stiffness, double h, int projections)
 {
     if (inverse_masses <= 0 || stiffness <= 0) return 0;

@@ -1,5 +1,5 @@
-// Where the vertices of a grid sheet lie so that vectors of kStrips lanes sweep it without gathers: each lane owns a strip
-// of neighbouring columns, so the next column of all strips is the next vector.
+// Where the vertices of a grid sheet lie so that vectors of kStrips lanes sweep it without gathers: each lane owns a
+// strip of neighbouring columns, so the next column of all strips is the next vector.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct CacheLineAllocator
 };
 using StripLanes = std::vector<float, CacheLineAllocator<float>>;
 
-// Column i of a row is lane i / width of vector i % width; lanes past the last column are padding, which no spring joins
-// to the sheet. Rows of the layout are the rows of the sheet, or its columns where that leaves less padding.
+// Column i of a row is lane i / width of vector i % width; lanes past the last column are padding, which no spring
+// joins to the sheet. Rows of the layout are the rows of the sheet, or its columns where that leaves less padding.
 struct StripLayout
 {
     int columns = 0, rows = 0;  // of the layout

@@ -46,8 +46,8 @@ StripStiffnesses strip_stiffnesses(const ClothModel& model, const Sheet& sheet, 
 class StripShareTables
 {
   public:
-    // mobility: a lane, inverse mass over `inverse_mass` [1/kg], the sheet's own; 0 where held or padding. limit: largest
-    // stretch of a spring; 0: none.
+    // mobility: a lane, inverse mass over `inverse_mass` [1/kg], the sheet's own; 0 where held or padding. limit:
+    // largest stretch of a spring; 0: none.
     void make(const StripLayout& layout, const float* mobility, float inverse_mass, const StripStiffnesses& stiffnesses,
               float h, int projections, float limit);
 

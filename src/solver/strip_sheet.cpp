@@ -11,7 +11,8 @@ namespace {
 
 // Rows that a thread takes through prediction and sweep while they are in its cache.
 constexpr int kChunkRows = 8;
-// Blocks of rows sweep side by side; the rows between two of them wait for both. Their number depends on the sheet alone.
+// Blocks of rows sweep side by side; the rows between two of them wait for both. Their number depends on the sheet
+// alone.
 constexpr int kLeastBlockRows = 24, kMostBlocks = 8;
 // Springs of a row reach this many rows further.
 constexpr int kReachRows = 2;

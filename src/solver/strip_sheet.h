@@ -1,9 +1,10 @@
 // A grid sheet under small-step XPBD: strips of columns side by side in vectors, one sweep over the rows and its exact
 // reverse a substep.
 //
-// Linearised, a substep is x+ = P (2 x - x-) with P the projections; each eigenvalue p of P gives z^2 - 2 p z + p = 0, and
-// |z| <= 1 for every real p in [0, 1]. A sweep S and its reverse are P = S^T S, whose eigenvalues are real: no energy is
-// pumped, however stiff the springs. One sweep alone has complex ones, and can.
+// Linearised, a substep is x+ = P y with P the projections and y the BDF2 prediction. Each eigenvalue p of P gives
+// ((z - 1) (z - 1/3))^2 = (1 - 1/p) z^4 with p = 1 / (1 + (2 h omega / 3)^2), and |z| <= 1 for every real p in [0, 1]
+// since BDF2 is A-stable. A sweep S and its reverse are P = S^T S, whose eigenvalues are real: no energy is pumped,
+// however stiff the springs. One sweep alone has complex ones, and can.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Gauss-Seidel over the springs of a grid sheet in strips: the constraints of one row after another, and the exact reverse.
+// Gauss-Seidel over the springs of a grid sheet in strips: the constraints of one row after another, and the exact
+// reverse.
 #pragma once
 
 #include <array>
@@ -44,8 +45,8 @@ struct StripSpringTerms
     alignas(64) Lanes hardness{};
 };
 
-// Shares of both ends, by vector: kStrips of the first end, then of the second. Vectors plain_begin .. plain_end have the
-// common share in every lane, which reads nothing.
+// Shares of both ends, by vector: kStrips of the first end, then of the second. Vectors plain_begin .. plain_end have
+// the common share in every lane, which reads nothing.
 struct StripShares
 {
     const float* lanes;

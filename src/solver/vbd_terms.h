@@ -21,10 +21,10 @@ struct VbdTerms
 
 VbdTerms vbd_terms(const ClothModel& model, const SimParams& params);
 
-// Springs no stiffer along their line than the sweeps can make good: at most 3 m / h^2 for each iteration, m the heavier
-// end. Where they are far stiffer, sweeps leave the low modes unsolved and correct the others along directions that
-// turn with the cloth: forces that follow it, from which a sheet at rest flutters (measured on `hang`: with k = 1700
-// m / h^2 and 2 iterations it never comes to rest; capped it does, at the same strain).
+// Springs no stiffer along their line than the sweeps can make good: at most 3 m / h^2 for each iteration, m the
+// heavier end. Where they are far stiffer, sweeps leave the low modes unsolved and correct the others along directions
+// that turn with the cloth: forces that follow it, from which a sheet at rest flutters (measured on `hang`, 64 x 64 and
+// 2 iterations of 1/300 s: with k = 500 m / h^2 0.7 J of motion are left after 10 s, capped 0.01 J, and less strain).
 std::vector<SpringWeight> vbd_spring_weights(const ClothModel& model, const SimParams& params);
 bool vbd_spring_weights_differ(const SimParams& a, const SimParams& b);
 inline constexpr SpringRule kVbdSprings{vbd_spring_weights, vbd_spring_weights_differ};

@@ -36,6 +36,14 @@ void compile_everything(const Bodies& bodies, bool as_mesh)
         SimParams params;
         params.method = method.method;
         params.backend = Backend::gpu;
+        for (const Sweep sweep : {Sweep::coloured, Sweep::jacobi}) {
+            params.sweep = sweep;
+            make_solver(model, bodies, params, pool);
+        }
+        if (!method.takes_continuum) continue;
+        params.internal_model = InternalModel::continuum;
+        params.wind_model = WindModel::aero;
+        params.gust_speed = 1;
         make_solver(model, bodies, params, pool);
     }
     SceneView({model.vertex_count(), model.faces, model.uvs, {}});

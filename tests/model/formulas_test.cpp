@@ -84,8 +84,8 @@ TEST(Wide, every_lane_is_the_scalar_formula_bit_for_bit)
         const WideVec3 wv{WideFloat(v[0]), WideFloat(v[1]), WideFloat(v[2])};
         const WideVec3 force = formulas_wide::spring_force(wx, WideFloat(0.7f), WideFloat(33.0f));
         const auto surface = formulas_wide::sphere_surface(wx, WideFloat(1.0f), WideVec3(0.1f));
-        const auto held = formulas_wide::push_out(WideVec3(0.2f), formulas_wide::motion(wx, wv), surface, WideVec3(0.1f),
-                                                  {WideFloat(0.3f), WideFloat(0.4f)}, WideFloat(0.01f))
+        const auto held = formulas_wide::push_out(WideVec3(0.2f), formulas_wide::motion(wx, wv), surface,
+                                                  WideVec3(0.1f), {WideFloat(0.3f), WideFloat(0.4f)}, WideFloat(0.01f))
                               .motion;
         const WideVec3 sum = force + held.position + held.velocity;
         sum.x.store(out[0]), sum.y.store(out[1]), sum.z.store(out[2]);

@@ -77,7 +77,8 @@ double strain_energy(const SimParams& p, double warp, double weft, double angle)
            double(p.cross_stiffness) * warp * weft;
 }
 
-// Half springs at the rim make a uniform strain cost the same at any cell, square or not. C12 is that of the springs, G.
+// Half springs at the rim make a uniform strain cost the same at any cell, square or not. C12 is that of the springs,
+// G.
 TEST(FabricSprings, a_grid_of_any_cell_resists_small_strain_as_the_fabric_does)
 {
     SimParams params;
@@ -86,11 +87,15 @@ TEST(FabricSprings, a_grid_of_any_cell_resists_small_strain_as_the_fabric_does)
     params.weft_stiffness = 200;
     params.shear_modulus = params.cross_stiffness = 40;
     constexpr double e = 1e-5;
-    for (const auto& [count, dx, dy] : {std::tuple(4, 0.1f, 0.1f), std::tuple(16, 0.025f, 0.025f), std::tuple(8, 0.1f, 0.13f)}) {
+    for (const auto& [count, dx, dy] :
+         {std::tuple(4, 0.1f, 0.1f), std::tuple(16, 0.025f, 0.025f), std::tuple(8, 0.1f, 0.13f)})
+    {
         const ClothModel model = grid(count, dx, dy);
         const double area = area_of(model);
-        for (const auto& [warp, weft, angle] : {std::tuple(1.0, 0.0, 0.0), std::tuple(0.0, 1.0, 0.0), std::tuple(1.0, -2.0, 0.0),
-                                                std::tuple(0.0, 0.0, 1.0), std::tuple(1.0, 1.0, 1.0)}) {
+        for (const auto& [warp, weft, angle] :
+             {std::tuple(1.0, 0.0, 0.0), std::tuple(0.0, 1.0, 0.0), std::tuple(1.0, -2.0, 0.0),
+              std::tuple(0.0, 0.0, 1.0), std::tuple(1.0, 1.0, 1.0)})
+        {
             const double found = energy(model, params, [&, w = warp, f = weft, a = angle](const glm::dvec3& x) {
                 return glm::dvec3(x.x * (1 + e * f) + e * a / 2 * x.y, x.y * (1 + e * w) + e * a / 2 * x.x, 0);
             });
@@ -100,7 +105,8 @@ TEST(FabricSprings, a_grid_of_any_cell_resists_small_strain_as_the_fabric_does)
     }
 }
 
-// Rigid turns cost nothing; the plate resists a cylinder of curvature kappa with D kappa^2 / 2 per area, in any direction.
+// Rigid turns cost nothing; the plate resists a cylinder of curvature kappa with D kappa^2 / 2 per area, in any
+// direction.
 double bending_of(const std::array<ClothModel, 2>& patches, const SimParams& params, double degrees)
 {
     // The plate is quadratic in the positions, so the curvature need not be small; it is far above what rounding of the
@@ -180,7 +186,8 @@ TEST(Plate, a_turned_sheet_feels_nothing)
 {
     const ClothModel model = grid(6, 0.1f, 0.1f);
     SimParams params = plate_only();
-    EXPECT_NEAR(energy(model, params, [](const glm::dvec3& x) { return glm::dvec3(x.y, 0.6 * x.x, 0.8 * x.x); }), 0, 1e-15);
+    EXPECT_NEAR(energy(model, params, [](const glm::dvec3& x) { return glm::dvec3(x.y, 0.6 * x.x, 0.8 * x.x); }), 0,
+                1e-15);
 }
 
 }  // namespace

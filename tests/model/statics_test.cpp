@@ -43,8 +43,8 @@ std::vector<std::uint32_t> first_row(int columns)
     return pins;
 }
 
-// A5: u = sigma g L^2 / (2 Y) at the tip of a strip, and what its rows of masses make of it. Free to contract, a membrane
-// has Y = C11 - C12^2 / C22; a grid of springs has C12 = G.
+// A5: u = sigma g L^2 / (2 Y) at the tip of a strip, and what its rows of masses make of it. Free to contract, a
+// membrane has Y = C11 - C12^2 / C22; a grid of springs has C12 = G.
 TEST(Weight, stretches_a_hanging_strip_as_the_closed_form_says)
 {
     for (const InternalModel internal : {InternalModel::fabric_springs, InternalModel::continuum}) {
@@ -175,7 +175,8 @@ TEST(Cantilever, an_irregular_mesh_hangs_as_the_heavy_elastica)
         for (int i = 0; i < columns; ++i) {
             const float x = edge * (static_cast<float>(i - 2) + 0.5f * static_cast<float>(j % 2));
             const bool inner = i > 2 && i + 1 < columns;
-            source.mesh.positions.emplace_back(x + (inner ? shift(random) : 0), 0, height * static_cast<float>(j) + (inner ? shift(random) : 0));
+            source.mesh.positions.emplace_back(x + (inner ? shift(random) : 0), 0,
+                                               height * static_cast<float>(j) + (inner ? shift(random) : 0));
             if (i <= 2) source.pins.push_back(static_cast<std::uint32_t>(j * columns + i));
         }
     source.mesh.uvs.resize(source.mesh.positions.size());
@@ -197,8 +198,9 @@ TEST(Cantilever, an_irregular_mesh_hangs_as_the_heavy_elastica)
             drop -= x[at(columns - 1, j)].y / 2;
             reach += (x[at(columns - 1, j)].x - clamp) / 2;
         }
-        expect_measured(fmt::format("cantilever, irregular triangles with 9/8 D, Gamma {}: ln(H/W) - ln(elastica)", e.gamma),
-                        std::log(drop / reach / e.ratio), 0, 0.05);
+        expect_measured(
+            fmt::format("cantilever, irregular triangles with 9/8 D, Gamma {}: ln(H/W) - ln(elastica)", e.gamma),
+            std::log(drop / reach / e.ratio), 0, 0.05);
     }
 }
 

@@ -75,8 +75,8 @@ TEST(Tethers, on_a_curved_sheet_follow_the_cloth)
             const double exact = std::hypot(i, j) / 40;
             worst = std::max(worst, std::abs(double(tethers[j * 41 + i].length) / exact - 1));
         }
-    // The chords of 40 segments are short by (pi / 40)^2 / 24 = 0.03 %; fast marching from a point over edges of 1/40 errs
-    // most in the first rings, by a few per cent.
+    // The chords of 40 segments are short by (pi / 40)^2 / 24 = 0.03 %; fast marching from a point over edges of 1/40
+    // errs most in the first rings, by a few per cent.
     EXPECT_LT(worst, 0.04);
     EXPECT_NEAR(double(tethers[40].length), 1, 0.001);
     EXPECT_NEAR(double(tethers[40 * 41].length), 1, 0.001);

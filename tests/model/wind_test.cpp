@@ -84,8 +84,8 @@ TEST(Gusts, every_lane_is_the_scalar_formula_bit_for_bit)
         float q[3][kLanes], out[3][kLanes];
         for (auto& axis : q)
             for (float& value : axis) value = at(random);
-        const WideVec3 gust = formulas_wide::gust_at({WideFloat(q[0]), WideFloat(q[1]), WideFloat(q[2])},
-                                                     formulas_wide::Bits{} + 77u);
+        const WideVec3 gust =
+            formulas_wide::gust_at({WideFloat(q[0]), WideFloat(q[1]), WideFloat(q[2])}, formulas_wide::Bits{} + 77u);
         gust.x.store(out[0]), gust.y.store(out[1]), gust.z.store(out[2]);
         for (int lane = 0; lane < kLanes; ++lane)
             EXPECT_EQ(formulas::gust_at({q[0][lane], q[1][lane], q[2][lane]}, 77u),
@@ -99,8 +99,8 @@ TEST(FaceAirForce, is_the_quasi_steady_law)
     const f::Air air{1.2, 2, 0.1, 0.2, 0};
     const glm::dvec3 e1(0.3, 0, 0), e2(0.1, 0.4, 0), u(2, -1, 3);
     const double area = 0.06;
-    const glm::dvec3 expected = 0.5 * 1.2 * area * (2.0 * 3 * 3 * glm::dvec3(0, 0, 1) +
-                                                    0.1 * glm::length(u) * glm::dvec3(2, -1, 0));
+    const glm::dvec3 expected =
+        0.5 * 1.2 * area * (2.0 * 3 * 3 * glm::dvec3(0, 0, 1) + 0.1 * glm::length(u) * glm::dvec3(2, -1, 0));
     EXPECT_LE(glm::distance(f::face_air_force(e1, e2, u, area, air), expected), 1e-15);
     EXPECT_LE(glm::distance(f::face_air_force(e2, e1, u, area, air), expected), 1e-15) << "either side alike";
     EXPECT_EQ(f::face_air_force(e1, 2.0 * e1, u, 0, air), glm::dvec3(0)) << "no area";

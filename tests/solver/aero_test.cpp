@@ -71,9 +71,9 @@ TEST(SteadyWind, a_flat_cloth_falls_at_its_terminal_speed)
         const double late = -double(run(model, params, start, 1000).velocities[12].z);
         const double expected_early = end_speed * std::tanh(9.81 * 0.1 / end_speed);
         EXPECT_NEAR(early, expected_early, 0.01 * expected_early);
-        expect_measured(fmt::format("terminal speed of a flat cloth, {}: m/s",
-                                    choice_names(Method{})[std::size_t(method)]),
-                        late, end_speed, 1e-3);
+        expect_measured(
+            fmt::format("terminal speed of a flat cloth, {}: m/s", choice_names(Method{})[std::size_t(method)]), late,
+            end_speed, 1e-3);
     }
 }
 

@@ -17,8 +17,8 @@ void soften(SimParams& params) { params.structural_stiffness = params.shear_stif
 class ExplicitTest : public testing::TestWithParam<Method>
 {};
 
-// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); halving h divides the error by
-// 2 to the order of the method (accuracy A1). Substeps are so few that the error stays above what floats lose.
+// v(t) = (m g / c) (1 - e^(-c t / m)), y(t) = (m g / c) (t - (m / c) (1 - e^(-c t / m))); halving h divides the error
+// by 2 to the order of the method (accuracy A1). Substeps are so few that the error stays above what floats lose.
 TEST_P(ExplicitTest, free_fall_with_drag_follows_the_closed_form_at_the_order_of_the_method)
 {
     const ClothModel model = square_cloth(10, 1);

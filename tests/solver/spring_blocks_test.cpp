@@ -50,8 +50,8 @@ TEST(SpringBlocks, hold_every_spring_of_the_model_as_run_or_gather)
                     const std::uint32_t neighbour = first == SpringBlocks::kGather
                                                         ? blocks.neighbours[i]
                                                         : std::uint32_t(first + std::int32_t(lane));
-                    found.insert({block * kLanes + lane, neighbour, blocks.stiffness[i], blocks.tension[i],
-                                  blocks.axial[i]});
+                    found.insert(
+                        {block * kLanes + lane, neighbour, blocks.stiffness[i], blocks.tension[i], blocks.axial[i]});
                 }
         EXPECT_EQ(found, expected);
     }

@@ -76,23 +76,19 @@ TEST_P(StableLimitTest, the_measured_limit_is_within_3_percent_of_the_prediction
 
 constexpr InternalModel kSprings = InternalModel::springs, kContinuum = InternalModel::continuum;
 
-INSTANTIATE_TEST_SUITE_P(Cases, StableLimitTest,
-                         testing::Values(Case{Method::explicit_euler, kSprings, 7, 0},
-                                         Case{Method::explicit_euler, kContinuum, 7, 0},
-                                         Case{Method::explicit_euler, kSprings, 0, 5e-4f},
-                                         Case{Method::symplectic_euler, kSprings, 0, 0},
-                                         Case{Method::symplectic_euler, kSprings, 30, 0},
-                                         Case{Method::symplectic_euler, kSprings, 0, 1e-3f},
-                                         Case{Method::symplectic_euler, kContinuum, 0, 0},
-                                         Case{Method::symplectic_euler, kContinuum, 0, 1e-3f},
-                                         Case{Method::verlet, kSprings, 0, 0}, Case{Method::verlet, kSprings, 30, 0},
-                                         Case{Method::verlet, kSprings, 0, 1e-3f},
-                                         Case{Method::verlet, kContinuum, 0, 0},
-                                         Case{Method::verlet, kContinuum, 0, 1e-3f},
-                                         Case{Method::rk4, kSprings, 0, 0}, Case{Method::rk4, kSprings, 30, 0},
-                                         Case{Method::rk4, kSprings, 0, 1e-3f}, Case{Method::rk4, kContinuum, 0, 0},
-                                         Case{Method::rk4, kContinuum, 0, 1e-3f}),
-                         [](const auto& test) { return name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(
+    Cases, StableLimitTest,
+    testing::Values(Case{Method::explicit_euler, kSprings, 7, 0}, Case{Method::explicit_euler, kContinuum, 7, 0},
+                    Case{Method::explicit_euler, kSprings, 0, 5e-4f}, Case{Method::symplectic_euler, kSprings, 0, 0},
+                    Case{Method::symplectic_euler, kSprings, 30, 0}, Case{Method::symplectic_euler, kSprings, 0, 1e-3f},
+                    Case{Method::symplectic_euler, kContinuum, 0, 0},
+                    Case{Method::symplectic_euler, kContinuum, 0, 1e-3f}, Case{Method::verlet, kSprings, 0, 0},
+                    Case{Method::verlet, kSprings, 30, 0}, Case{Method::verlet, kSprings, 0, 1e-3f},
+                    Case{Method::verlet, kContinuum, 0, 0}, Case{Method::verlet, kContinuum, 0, 1e-3f},
+                    Case{Method::rk4, kSprings, 0, 0}, Case{Method::rk4, kSprings, 30, 0},
+                    Case{Method::rk4, kSprings, 0, 1e-3f}, Case{Method::rk4, kContinuum, 0, 0},
+                    Case{Method::rk4, kContinuum, 0, 1e-3f}),
+    [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace nuno

@@ -73,7 +73,7 @@ double largest_thread_strain(const ClothModel& model, const ClothState& state)
     return largest;
 }
 
-// Along its line the pair's stretch r obeys r1 = (r0 + h r0' + 2 (h^2 k / m) l0) / (1 + 2 h^2 k / m), r1' = (r1 - r0) / h.
+// Along its line the pair's length r obeys r1 = (r0 + h r0' + s l0) / (1 + s), r1' = (r1 - r0) / h, s = 2 h^2 k / m.
 TEST(Vbd, one_spring_swept_to_the_end_is_backward_euler_to_rounding)
 {
     const ClothModel model = one_spring(false);

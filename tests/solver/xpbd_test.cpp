@@ -153,6 +153,8 @@ TEST_P(XpbdTest, free_fall_is_exact_but_for_the_first_substep)
     const ClothModel model = square_cloth(20, 1);
     SimParams params = xpbd_params(GetParam());
     params.damping = 0;
+    // So soft that the springs do not answer the rounding of positions.
+    params.structural_stiffness = params.shear_stiffness = params.bend_stiffness = 1e-3f;
     params.substeps = 600;
     const ClothState start = start_state(model, params), end = run(model, params, start, 600);
     const double h = 1.0 / 600;
@@ -239,10 +241,9 @@ TEST_P(XpbdTest, threads_and_widths_of_vectors_change_no_bit)
     shake(start, 1e-3f);
     const std::uint64_t expected = state_hash(run(model, params, start, 21, 1, 4));
     for (const int threads : {1, 2, 3})
-        for (const int lanes : {4, 8, 16})
-            if (lanes <= machine_lanes())
-                EXPECT_EQ(state_hash(run(model, params, start, 21, threads, lanes)), expected)
-                    << threads << " threads, " << lanes << " lanes";
+        for (int lanes = 4; lanes <= machine_lanes(); lanes *= 2)
+            EXPECT_EQ(state_hash(run(model, params, start, 21, threads, lanes)), expected)
+                << threads << " threads, " << lanes << " lanes";
 }
 
 TEST(Xpbd, rows_and_colours_hang_the_same_cloth)
@@ -284,7 +285,7 @@ TEST_P(XpbdTest, a_held_vertex_stays_and_its_tethers_follow_it)
     const glm::vec4 from = state.positions[held];
     glm::vec4 place = from;
     for (int frame = 1; frame <= 60; ++frame) {
-        place = from + glm::vec4(0, 0.5f, 1, 0) * (float(frame) / 60);
+        place = from + glm::vec4(0, 0.5f, 0.7f, 0) * (float(frame) / 60);
         place.w = 0;
         solver.set_vertex(held, place);
         solver.step({params, frame / 60.0, 10});

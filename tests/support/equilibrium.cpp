@@ -27,7 +27,10 @@ class Descent
 {
   public:
     Descent(const ClothModel& model, const SimParams& params)
-        : model_(model), forces_(model, params), stiffness_(model, params), still_(model.vertex_count()),
+        : model_(model),
+          forces_(model, params),
+          stiffness_(model, params),
+          still_(model.vertex_count()),
           inverse_diagonal_(diagonal(model, params))
     {
     }
@@ -58,7 +61,8 @@ class Descent
             const double to_edge = (-pd + std::sqrt(pd * pd + dd * (radius * radius - pp))) / dd;
             const double length = curvature > 0 ? rz / curvature : to_edge;
             const double taken = std::min(length, to_edge);
-            for (std::size_t v = 0; v < p.size(); ++v) p[v] += taken * d[v], kp[v] += taken * kd[v], r[v] -= taken * kd[v];
+            for (std::size_t v = 0; v < p.size(); ++v)
+                p[v] += taken * d[v], kp[v] += taken * kd[v], r[v] -= taken * kd[v];
             if (length >= to_edge) break;
             z = preconditioned(r);
             const double next = dot(r, z);
