@@ -98,10 +98,10 @@ class BoxTree
     std::vector<glm::uvec3> faces_;
     std::vector<std::uint32_t> vertices_;
     std::vector<Node> nodes_;
-    std::vector<Bounds> boxes_;                // of every node
+    std::vector<Bounds> boxes_;             // of every node
     std::vector<std::uint32_t> subtrees_;   // roots of the subtrees refitted by one thread each; none in a small tree
     std::vector<std::uint32_t> top_nodes_;  // the nodes above them, in preorder
-    std::vector<Bounds> normal_bounds_;        // of every node: the box of its faces' unit normals
+    std::vector<Bounds> normal_bounds_;     // of every node: the box of its faces' unit normals
     std::vector<std::uint8_t> culled_;      // of every node: Culling::seed does not look for contacts within it
 };
 

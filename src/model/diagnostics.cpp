@@ -21,7 +21,8 @@ void measure_springs(const ClothModel& model, const ClothState& state, const Sim
         const double length =
             glm::distance(glm::dvec3(state.positions[spring.a]), glm::dvec3(state.positions[spring.b]));
         const double stretch = length - double(spring.rest_length);
-        d.elastic_j += 0.5 * (double(weights[i].axial) * stretch * stretch + double(weights[i].plate) * length * length);
+        d.elastic_j +=
+            0.5 * (double(weights[i].axial) * stretch * stretch + double(weights[i].plate) * length * length);
         if (is_thread(spring.kind))
             d.max_strain = std::max(d.max_strain, std::abs(stretch) / double(spring.rest_length));
     }

@@ -12,16 +12,8 @@ constexpr std::string_view kFabrics[] = {"custom", "cotton", "silk", "wool", "de
 constexpr std::string_view kInternalModels[] = {"springs", "fabric_springs", "continuum"};
 constexpr std::string_view kTethers[] = {"auto", "none", "pins", "contacts"};
 constexpr std::string_view kWindModels[] = {"sines", "aero"};
-constexpr std::string_view kMethods[] = {"auto",
-                                         "explicit_euler",
-                                         "symplectic_euler",
-                                         "verlet",
-                                         "rk4",
-                                         "xpbd",
-                                         "vbd",
-                                         "implicit_euler",
-                                         "sdirk2",
-                                         "reference"};
+constexpr std::string_view kMethods[] = {"auto", "explicit_euler", "symplectic_euler", "verlet",   "rk4", "xpbd",
+                                         "vbd",  "implicit_euler", "sdirk2",           "reference"};
 constexpr std::string_view kSweeps[] = {"auto", "rows", "coloured", "jacobi"};
 constexpr std::string_view kBackends[] = {"cpu", "gpu"};
 constexpr std::string_view kCollisionLevels[] = {"none", "discrete"};

@@ -34,9 +34,9 @@ struct Spring
     float rest_length;   // [m]
     SpringKind kind;
     float share = 1;  // of the cloth around it: on a grid 1/2 at the rim, else 1; of an edge the faces' area / length^2
-    float warp_share = 0;    // of an edge: squared cosine of its angle to the warp
-    float cell_ratio = 1;    // of a grid: height of a cell (along the warp) over its width
-    glm::vec3 plate{0};      // [1/m2]: resists bending with the linear stiffness dot(plate, (D warp, D weft, twist))
+    float warp_share = 0;  // of an edge: squared cosine of its angle to the warp
+    float cell_ratio = 1;  // of a grid: height of a cell (along the warp) over its width
+    glm::vec3 plate{0};    // [1/m2]: resists bending with the linear stiffness dot(plate, (D warp, D weft, twist))
 };
 
 // ELLPACK: entry (slot, vertex) is at slot * vertex_count + vertex. The slots of a group are [first_slot[group],

@@ -63,8 +63,7 @@ std::vector<SpringWeight> spring_weights(const ClothModel& model, const SimParam
     for (const Spring& spring : model.springs) {
         float axial = 0;
         if (params.internal_model == InternalModel::springs) axial = raw_stiffness(params, spring.kind);
-        if (params.internal_model == InternalModel::fabric_springs)
-            axial = fabric_stiffness(params, spring);
+        if (params.internal_model == InternalModel::fabric_springs) axial = fabric_stiffness(params, spring);
         weights.push_back({axial, glm::dot(spring.plate, bending)});
     }
     return weights;

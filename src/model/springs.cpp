@@ -148,8 +148,8 @@ void append_grid_springs(std::vector<Spring>& springs, std::span<const glm::vec3
                 if (i1 < 0 || i1 >= columns) continue;
                 Spring spring{sheet.grid_vertex(i, j), sheet.grid_vertex(i1, j1), 0, offset.kind};
                 spring.rest_length = glm::distance(positions[spring.a], positions[spring.b]);
-                const bool rim = (offset.i == 0 && (i == 0 || i == columns - 1)) ||
-                                 (offset.j == 0 && (j == 0 || j == rows - 1));
+                const bool rim =
+                    (offset.i == 0 && (i == 0 || i == columns - 1)) || (offset.j == 0 && (j == 0 || j == rows - 1));
                 spring.share = rim ? 0.5f : 1.0f;
                 springs.push_back(spring);
             }

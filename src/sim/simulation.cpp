@@ -18,9 +18,9 @@ namespace nuno {
 namespace {
 
 constexpr int kMostFramesAtOnce = 4;
-constexpr float kDragSpeed = 3.0f;    // of a held vertex [m/s]
-constexpr float kDragStretch = 0.2f;  // of the threads at a held vertex, at most
-constexpr int kSubstepsAHandMove = 4;
+constexpr float kDragSpeed = 3.0f;     // of a held vertex [m/s]
+constexpr float kDragStretch = 0.2f;   // of the threads at a held vertex, at most
+constexpr double kHandMove_s = 0.001;  // about how often it moves
 
 void add_pass(FrameStats& stats, const CollisionCounts& pass)
 {
@@ -193,8 +193,9 @@ void Simulation::run_substeps(int first, int last)
     const double h = double(substep_s(params_));
     if (!held_) return solver_->step({params_, time_s_ + first * h, last - first});
     // The hand moves a little every few substeps, so that the cloth can follow.
-    for (int begin = first; begin < last; begin += kSubstepsAHandMove) {
-        const int end = std::min(last, begin + kSubstepsAHandMove);
+    const int move = std::max(1, static_cast<int>(kHandMove_s / h));
+    for (int begin = first; begin < last; begin += move) {
+        const int end = std::min(last, begin + move);
         solver_->download_positions(state_.positions);
         move_held_vertex(static_cast<float>((end - begin) * h));
         solver_->step({params_, time_s_ + begin * h, end - begin});

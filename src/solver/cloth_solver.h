@@ -8,8 +8,8 @@
 
 #include <glm/vec4.hpp>
 
-#include "model/cloth_state.h"
 #include "model/body.h"
+#include "model/cloth_state.h"
 #include "model/sim_params.h"
 
 namespace nuno {

@@ -25,7 +25,7 @@ double side_of(const ClothModel& model)
 // under more than the earth's load.
 int sweeping_substeps(const ClothModel& model, const SimParams& p)
 {
-    const double least = std::ceil(5 * std::pow(side_of(model) / 64, 0.7));
+    const double least = std::ceil(6.4 * std::pow(side_of(model) / 64, 0.7));
     const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
     const double wind = (std::abs(double(p.wind_mean)) + double(p.wind_strength)) / double(p.areal_density);
     const double load = std::max(1.0, std::sqrt((gravity + wind) / 9.81));

@@ -9,17 +9,17 @@
 #include "core/text.h"
 #include "model/formulas.h"
 #include "solver/cpu_euler.h"
-#include "solver/cpu_jacobi.h"
 #include "solver/cpu_implicit.h"
+#include "solver/cpu_jacobi.h"
 #include "solver/cpu_reference.h"
 #include "solver/cpu_rk4.h"
-#include "solver/cpu_verlet.h"
 #include "solver/cpu_vbd.h"
+#include "solver/cpu_verlet.h"
 #include "solver/cpu_xpbd.h"
 #include "solver/gpu_euler.h"
 #include "solver/gpu_rk4.h"
-#include "solver/gpu_verlet.h"
 #include "solver/gpu_vbd.h"
+#include "solver/gpu_verlet.h"
 #include "solver/gpu_xpbd.h"
 
 namespace nuno {
@@ -73,13 +73,14 @@ void check(const MethodInfo* info, const SimParams& params)
         throw Error(fmt::format("method: {} does not run on {}; choose {}", method,
                                 choice_names(Backend{})[std::size_t(params.backend)], choices(here)));
     if (params.internal_model == InternalModel::continuum && !info->takes_continuum)
-        throw Error(fmt::format("internal_model: {} has no continuum; choose internal_model fabric_springs or springs, "
-                                "or method {}",
-                                method, choices([&](const MethodInfo& m) { return here(m) && m.takes_continuum; })));
+        throw Error(
+            fmt::format("internal_model: {} has no continuum; choose internal_model fabric_springs or springs, "
+                        "or method {}",
+                        method, choices([&](const MethodInfo& m) { return here(m) && m.takes_continuum; })));
     const bool tethered = params.tethers != Tethers::none && params.tethers != Tethers::automatic;
     if ((tethered || params.strain_limit > 0) && !info->takes_tethers)
-        throw Error(fmt::format("{}: {} has none; choose {}, or method {}", tethered ? "tethers" : "strain_limit", method,
-                                tethered ? "none" : "0",
+        throw Error(fmt::format("{}: {} has none; choose {}, or method {}", tethered ? "tethers" : "strain_limit",
+                                method, tethered ? "none" : "0",
                                 choices([&](const MethodInfo& m) { return here(m) && m.takes_tethers; })));
 }
 

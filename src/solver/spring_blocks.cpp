@@ -11,7 +11,10 @@ namespace {
 constexpr std::size_t kNone = ~std::size_t(0);
 using Slot = std::array<std::size_t, kLanes>;
 
-bool has_force(const SpringEntries& entries, std::size_t i) { return entries.stiffness[i] != 0 || entries.tension[i] != 0; }
+bool has_force(const SpringEntries& entries, std::size_t i)
+{
+    return entries.stiffness[i] != 0 || entries.tension[i] != 0;
+}
 
 // The neighbour of lane 0 if the lanes that have a spring step by one, else kGather.
 Run run_of(const SpringEntries& entries, const Slot& slot)

@@ -19,10 +19,10 @@ struct SpringBlocks
 {
     static constexpr Run kGather = INT32_MIN;
 
-    std::vector<std::uint32_t> first_slot;           // of each block in `runs`, and one past the last
-    std::vector<Run> runs;                           // slots in which no lane has a spring are left out
-    std::vector<std::uint32_t> neighbours;           // kLanes a slot
-    std::vector<float> stiffness, tension, axial;    // kLanes a slot, as SpringEntries
+    std::vector<std::uint32_t> first_slot;         // of each block in `runs`, and one past the last
+    std::vector<Run> runs;                         // slots in which no lane has a spring are left out
+    std::vector<std::uint32_t> neighbours;         // kLanes a slot
+    std::vector<float> stiffness, tension, axial;  // kLanes a slot, as SpringEntries
 
     int block_count() const { return static_cast<int>(first_slot.size()) - 1; }
 };

@@ -1,8 +1,8 @@
 // A quick look at how fast each backend runs one cloth on this machine.
 #pragma once
 
-#include "model/cloth_model.h"
 #include "model/body.h"
+#include "model/cloth_model.h"
 #include "model/sim_params.h"
 
 namespace nuno {

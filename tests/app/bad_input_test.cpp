@@ -44,7 +44,15 @@ TEST(BadInput, names_and_values_of_parameters)
                 HasSubstr("from 0 to 1000 kg/(m2 s)"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping=nan"}), HasSubstr("--set"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "damping"}), HasSubstr("NAME=VALUE"));
-    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "xpbd"}), HasSubstr("symplectic_euler"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "xpdb"}), HasSubstr("xpbd"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--backend", "gpu", "--method", "sdirk2"}),
+                HasSubstr("sdirk2 does not run on gpu; choose explicit_euler"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "vbd", "--set", "internal_model=continuum"}),
+                HasSubstr("vbd has no continuum"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "rk4", "--set", "tethers=pins"}),
+                HasSubstr("tethers: rk4 has none; choose none, or method xpbd"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "thickness=-0.01"}), HasSubstr("from 0 to 1 m"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "areal_density=0"}), HasSubstr("0.001"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--backend", "tpu"}), HasSubstr("cpu or gpu"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--threads", "many"}), HasSubstr("--threads"));
     EXPECT_THAT(refusal({"render", "seed", "--size", "12by4", "--out", "x"}), HasSubstr("WIDTHxHEIGHT"));

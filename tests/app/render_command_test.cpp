@@ -107,8 +107,8 @@ TEST(RenderCommand, a_scene_that_fails_its_end_check_exits_with_1)
 
 TEST(RenderCommand, a_run_that_goes_bad_exits_with_3_and_advice)
 {
-    const ProgramResult result =
-        run_program({"render", "hang", "--backend", "cpu", "--no-images", "--frames", "60", "--set", "substeps=40"});
+    const ProgramResult result = run_program({"render", "hang", "--method", "symplectic_euler", "--backend", "cpu",
+                                              "--no-images", "--frames", "60", "--set", "substeps=40"});
     EXPECT_EQ(result.exit_code, 3);
     EXPECT_THAT(result.err, testing::AllOf(HasSubstr("hang"), HasSubstr("frame"), HasSubstr("vertex"),
                                            HasSubstr("--set substeps=")));

@@ -75,7 +75,7 @@ TEST(Params, a_value_out_of_range_names_place_range_and_unit)
 TEST(Params, numbers_that_are_not_finite_or_not_whole_or_no_number_are_refused)
 {
     for (const char* text : {"nan", "inf", "-inf", "1e40", "abc", "", "1 2"}) refusal("damping", text);
-    for (const char* text : {"1.5", "0", "1e9", "true"}) refusal("substeps", text);
+    for (const char* text : {"1.5", "-1", "1e9", "true"}) refusal("substeps", text);
     for (const char* text : {"2", "yes"}) refusal("count_pass_through", text);
 }
 

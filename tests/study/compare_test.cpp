@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/egl_context.h"
+#include "solver/method_choice.h"
 #include "study/backend_probe.h"
 #include "study/compare_plot.h"
 #include "support/program_run.h"
@@ -103,7 +104,8 @@ TEST(Compare, the_picture_is_whole_or_not_there)
 TEST(BackendProbe, gives_a_time_for_each_backend)
 {
     const auto context = make_headless_context();
-    const BackendSpeed speed = probe_backends(square_cloth(17, 1), {}, SimParams{});
+    const ClothModel model = square_cloth(17, 1);
+    const BackendSpeed speed = probe_backends(model, {}, resolve_params(model, {}));
     EXPECT_GT(speed.cpu_ns, 0);
     EXPECT_GT(speed.gpu_ns, 0);
     EXPECT_LT(speed.cpu_ns, 1e6);

@@ -13,7 +13,8 @@ void expect_measured(std::string_view what, double measured, double expected, do
 {
     fmt::print("verify: {}: measured {:.6g}, expected {:.6g} +- {:.2g}\n", what, measured, expected, tolerance);
     std::fflush(stdout);
-    EXPECT_LE(std::abs(measured - expected), tolerance) << what << ": measured " << measured << ", expected " << expected;
+    EXPECT_LE(std::abs(measured - expected), tolerance)
+        << what << ": measured " << measured << ", expected " << expected;
 }
 
 }  // namespace nuno
