@@ -174,8 +174,20 @@ void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
     const auto on_handle = [&](const HandlePin& pin) { return pin.vertex == vertex; };
     if (std::any_of(model_->handle_pins.begin(), model_->handle_pins.end(), on_handle)) return;
     if (held_ && held_->vertex != vertex) release_vertex();
-    if (!held_) held_ = Held{vertex, glm::vec3(state().positions[vertex]), target};
+    if (!held_) held_ = Held{vertex, glm::vec3(state().positions[vertex]), target, reach_of(vertex)};
     held_->target = target;
+}
+
+std::vector<Tether> Simulation::reach_of(std::uint32_t vertex) const
+{
+    std::vector<Tether> reach;
+    for (const Sheet& sheet : model_->sheets) {
+        if (vertex < sheet.first_vertex || vertex >= sheet.first_vertex + sheet.vertex_count) continue;
+        const std::vector<Tether> tethers = SheetGeodesics(*model_, sheet).pin_tethers(model_->pinned);
+        for (std::size_t i = vertex - sheet.first_vertex; i < tethers.size(); i += sheet.vertex_count)
+            if (tethers[i].anchor != Tether::kNone) reach.push_back(tethers[i]);
+    }
+    return reach;
 }
 
 void Simulation::release_vertex()
@@ -203,7 +215,8 @@ void Simulation::run_substeps(int first, int last)
 }
 
 // Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand
-// would slide.
+// would slide, where the cloth draws a thread longer still it yields, and it never goes further from a pin than the
+// cloth reaches.
 void Simulation::move_held_vertex(float duration_s)
 {
     const SpringTable& table = model_->spring_table;
@@ -214,11 +227,14 @@ void Simulation::move_held_vertex(float duration_s)
         if (table.springs[entry] == SpringTable::kNoSpring) continue;
         const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
         const float length = std::max(glm::length(thread), 1e-12f);
-        const float slack =
-            std::max((1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length, 0.0f);
+        const float slack = (1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length;
         way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
     }
     held_->position += way;
+    for (const Tether& tether : held_->reach) {
+        const glm::vec3 pin(state_.positions[tether.anchor]), away = held_->position - pin;
+        held_->position = pin + away * std::min(1.0f, tether.length / std::max(glm::length(away), 1e-12f));
+    }
     solver_->set_vertex(held_->vertex, glm::vec4(held_->position, 0));
 }
 

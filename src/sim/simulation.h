@@ -10,6 +10,7 @@
 #include "model/cloth_state.h"
 #include "model/diagnostics.h"
 #include "model/stability.h"
+#include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
 #include "solver/cloth_solver.h"
@@ -67,6 +68,7 @@ class Simulation
     void download();
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
+    std::vector<Tether> reach_of(std::uint32_t vertex) const;
     void collide(FrameStats& stats, float interval_s);
     void check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const;
     int pass_count() const;
@@ -75,6 +77,7 @@ class Simulation
     {
         std::uint32_t vertex;
         glm::vec3 position, target;
+        std::vector<Tether> reach;  // to the nearest pins
     };
 
     Scene scene_;
