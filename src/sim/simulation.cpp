@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -33,6 +34,15 @@ void add_pass(FrameStats& stats, const CollisionCounts& pass)
     sum.rollbacks += pass.rollbacks;
     sum.unresolved += pass.unresolved;
     stats.peak_contacts = std::max(stats.peak_contacts, pass.contacts);
+}
+
+// What a solver is made for, and what not every solver takes.
+bool needs_new_solver(const SimParams& a, const SimParams& b)
+{
+    const auto key = [](const SimParams& p) {
+        return std::tuple(p.method, p.backend, p.sweep, p.tethers, p.internal_model, p.strain_limit > 0);
+    };
+    return key(a) != key(b);
 }
 
 }  // namespace
@@ -74,7 +84,7 @@ void Simulation::set_params(const SimParams& asked)
 
     const SimParams params = resolve_params(*model_, asked);
     const bool new_pool = params.threads != params_.threads;
-    const bool new_solver = new_pool || params.method != params_.method || params.backend != params_.backend;
+    const bool new_solver = new_pool || needs_new_solver(params, params_);
     if (new_solver || params.areal_density != params_.areal_density) {
         state();
         auto pool = new_pool ? std::make_unique<ThreadPool>(params.threads) : nullptr;
