@@ -6,7 +6,7 @@
 namespace nuno {
 
 // Fails where `measured` is further than `tolerance` from `expected`; prints a line `verify: what: measured, expected,
-// tolerance`, from which tests/list_verification makes the table of docs/verification.md.
+// tolerance`, which `./test -L verify -V | grep verify:` lists.
 void expect_measured(std::string_view what, double measured, double expected, double tolerance);
 
 }  // namespace nuno
