@@ -50,6 +50,13 @@ ParamTable sim_param_table()
     return table;
 }
 
+bool same_params(const SimParams& a, const SimParams& b)
+{
+    const ParamTable table = sim_param_table();
+    return std::all_of(table.begin(), table.end(),
+                       [&](const ParamInfo& info) { return param_value(info, &a) == param_value(info, &b); });
+}
+
 bool needs_restart(std::string_view name)
 {
     const ParamInfo* info = find_param(sim_param_table(), name);

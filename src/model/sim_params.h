@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 
@@ -103,8 +102,8 @@ ParamTable sim_param_table();
 // True where a change of `name` rebuilds the cloth, so that the simulation starts again.
 bool needs_restart(std::string_view name);
 
-// True where all fields are equal, bit for bit.
-inline bool same_params(const SimParams& a, const SimParams& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+// True where all fields are equal.
+bool same_params(const SimParams& a, const SimParams& b);
 
 // Length of a substep [s]: 1 / (frame_rate substeps), rounded to float once, for both backends.
 inline float substep_s(const SimParams& p) { return static_cast<float>(1.0 / (double(p.frame_rate) * p.substeps)); }

@@ -97,7 +97,8 @@ void BodyRenderer::draw_faces() const
     vertices_.bind();
     for (const Part& part : parts_) {
         if (part.instance_count == 0) continue;
-        const void* first = reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t));
+        const std::size_t offset = part.first_index * sizeof(std::uint32_t);
+        const void* first = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, part.index_count, GL_UNSIGNED_INT, first, part.instance_count,
                                             part.first_instance);
     }

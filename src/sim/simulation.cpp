@@ -19,9 +19,9 @@ namespace nuno {
 namespace {
 
 constexpr int kMostFramesAtOnce = 4;
-constexpr float kDragSpeed = 3.0f;     // of a held vertex [m/s]
-constexpr float kDragStretch = 0.2f;   // of the threads at a held vertex, at most
-constexpr double kHandMove_s = 0.001;  // about how often it moves
+constexpr float kDragSpeed = 3.0f;          // of a held vertex [m/s]
+constexpr float kDragStretch = 0.2f;        // of the threads at a held vertex, at most
+constexpr double kHandMoveSeconds = 0.001;  // about how often it moves
 
 void add_pass(FrameStats& stats, const CollisionCounts& pass)
 {
@@ -190,12 +190,14 @@ void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
 
 std::vector<Tether> Simulation::reach_of(std::uint32_t vertex) const
 {
+    const float room = params_.tethers == Tethers::none ? kDragStretch : params_.tether_stretch;
     std::vector<Tether> reach;
     for (const Sheet& sheet : model_->sheets) {
         if (vertex < sheet.first_vertex || vertex >= sheet.first_vertex + sheet.vertex_count) continue;
         const std::vector<Tether> tethers = SheetGeodesics(*model_, sheet).pin_tethers(model_->pinned);
         for (std::size_t i = vertex - sheet.first_vertex; i < tethers.size(); i += sheet.vertex_count)
-            if (tethers[i].anchor != Tether::kNone) reach.push_back(tethers[i]);
+            if (tethers[i].anchor != Tether::kNone)
+                reach.push_back({tethers[i].anchor, tethers[i].length * (1 + room)});
     }
     return reach;
 }
@@ -215,7 +217,7 @@ void Simulation::run_substeps(int first, int last)
     const double h = double(substep_s(params_));
     if (!held_) return solver_->step({params_, time_s_ + first * h, last - first});
     // The hand moves a little every few substeps, so that the cloth can follow.
-    const int move = std::max(1, static_cast<int>(kHandMove_s / h));
+    const int move = std::max(1, static_cast<int>(kHandMoveSeconds / h));
     for (int begin = first; begin < last; begin += move) {
         const int end = std::min(last, begin + move);
         solver_->download_positions(state_.positions);

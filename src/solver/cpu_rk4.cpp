@@ -80,7 +80,8 @@ Rk4Stage CpuRk4::stage_at(const StepInput& input, int substep, int number)
     const auto read = static_cast<std::size_t>(number % 2), write = 1 - read;
     const bool first = number == 0, last = number + 1 == kStages;
     const float h = substep_s(input.params);
-    const double part = (number + 1) / 2 / 2.0;  // of the substep: 0, 1/2, 1/2, 1
+    const int halves = (number + 1) / 2;  // of the substep: 0, 1, 1, 2
+    const double part = 0.5 * halves;
     Rk4Stage s{.forces = forces_.terms(input.params, input.start_time_s + (substep + part) * double(h)),
                .bodies = bodies_.contacts(substep, input.params),
                .start_x = positions_[from].lanes(),

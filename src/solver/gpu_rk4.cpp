@@ -76,7 +76,8 @@ void GpuRk4::stage(const StepInput& input, int substep, int number)
     next_v.buffer.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_VELOCITIES);
 
     const float h = substep_s(input.params);
-    const double part = (number + 1) / 2 / 2.0;  // of the substep: 0, 1/2, 1/2, 1
+    const int halves = (number + 1) / 2;  // of the substep: 0, 1, 1, 2
+    const double part = 0.5 * halves;
     const double time_s = input.start_time_s + (substep + part) * double(h);
     forces_.run_face_pass(time_s);
     const Program& program = first ? first_ : last ? last_ : middle_;

@@ -44,7 +44,7 @@ TEST(ParamSliders, stand_in_every_group_of_their_table_once)
             for (const ParamInfo& info : table) rows += info.group == group;
         EXPECT_EQ(rows, table.size());
     }
-    EXPECT_EQ(param_groups(sim_param_table()).at(0), "fabric");
+    EXPECT_EQ(param_groups(sim_param_table()).at(0), "wind");
 }
 
 StageColumn column(float solve, float render)
