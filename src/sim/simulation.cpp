@@ -227,8 +227,7 @@ void Simulation::run_substeps(int first, int last)
 }
 
 // Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand
-// would slide, where the cloth draws a thread longer still it yields, and it never goes further from a pin than the
-// cloth reaches.
+// would slide, and it never goes further from a pin than the cloth reaches.
 void Simulation::move_held_vertex(float duration_s)
 {
     const SpringTable& table = model_->spring_table;
@@ -239,7 +238,8 @@ void Simulation::move_held_vertex(float duration_s)
         if (table.springs[entry] == SpringTable::kNoSpring) continue;
         const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
         const float length = std::max(glm::length(thread), 1e-12f);
-        const float slack = (1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length - length;
+        const float longest = (1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length;
+        const float slack = std::max(longest - length, 0.0f);
         way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
     }
     held_->position += way;
