@@ -59,8 +59,8 @@ MeshConstraints::MeshConstraints(const ClothModel& model, const Sheet& sheet) : 
     // Threads first, hinges last, each from one end of the sheet to the other.
     const auto order = [&](std::size_t n) {
         const Spring& s = model.springs[n];
-        const auto [low, high] = std::minmax(place(s.a), place(s.b));
-        return std::tuple(spring_group(s.kind), low, high);
+        const std::uint32_t a = place(s.a), b = place(s.b);
+        return std::tuple(spring_group(s.kind), std::min(a, b), std::max(a, b));
     };
     std::sort(own_springs_.begin(), own_springs_.end(),
               [&](std::size_t m, std::size_t n) { return order(m) < order(n); });
