@@ -34,7 +34,7 @@ void main()
     Motion m = predicted_motion(motion(x, velocity.xyz), last, a, keep, step_s);
     m = push_out_of_bodies(x, m).motion;
     vec3 free = select_positive(position.w, m.position, x);
-    new_velocities[vertex] = vec4(select_positive(position.w, m.velocity, vec3(0.0)), velocity.w);
+    new_velocities[vertex] = vec4(select_positive(position.w, m.velocity, velocity.xyz), velocity.w);
     predicted[vertex] = vec4(free, position.w);
     new_positions[vertex] = vec4(select_positive(position.w, within_tethers(vertex, free), x), position.w);
 }

@@ -105,6 +105,9 @@ bool needs_restart(std::string_view name);
 // True where all fields are equal.
 bool same_params(const SimParams& a, const SimParams& b);
 
+// True where the fabric resists bending by its stiffness D.
+inline bool bends(const SimParams& p) { return p.bending_warp != 0 || p.bending_weft != 0 || p.bending_bias != 0; }
+
 // Length of a substep [s]: 1 / (frame_rate substeps), rounded to float once, for both backends.
 inline float substep_s(const SimParams& p) { return static_cast<float>(1.0 / (double(p.frame_rate) * p.substeps)); }
 

@@ -40,7 +40,8 @@ void add_pass(FrameStats& stats, const CollisionCounts& pass)
 bool needs_new_solver(const SimParams& a, const SimParams& b)
 {
     const auto key = [](const SimParams& p) {
-        return std::tuple(p.method, p.backend, p.sweep, p.tethers, p.internal_model, p.strain_limit > 0);
+        return std::tuple(p.method, p.backend, p.sweep, p.tethers, p.internal_model, p.strain_limit > 0,
+                          p.stiffness_damping > 0, bends(p));
     };
     return key(a) != key(b);
 }

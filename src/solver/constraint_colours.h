@@ -15,7 +15,7 @@ inline constexpr int kColourBatch = 16;
 // Places past the last vertex that positions must have room for: what fills up a batch joins these.
 inline constexpr std::uint32_t kSparePlaces = 4 * kColourBatch;
 
-// Constraints of kEnds vertices, the same number of floats each, by colour and in batches. Batch b has the places of
+// Constraints of some vertices, the same number of floats each, by colour and in batches. Batch b has the places of
 // end k of its constraints at ends(b) + k kColourBatch, and number n of each at numbers(b) + n kColourBatch. What fills
 // up the last batch of a colour has numbers 0.
 class ConstraintColours

@@ -1,6 +1,7 @@
 // XPBD on CPU threads with all springs at once.
 #include "solver/cpu_jacobi.h"
 
+#include <cassert>
 #include <utility>
 
 namespace nuno {
@@ -37,14 +38,14 @@ NUNO_SIMD_CLONES void predict_blocks(const CpuJacobi::Substep& s, Range blocks)
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const std::int32_t i = block * kLanes;
-        const WideVec3 x = load(s.forces.x, i);
+        const WideVec3 x = load(s.forces.x, i), v = load(s.forces.v, i);
         const WideFloat inverse_mass(s.forces.inverse_mass + i);
-        Formulas::Motion m = Formulas::predicted_motion(
-            Formulas::motion(x, load(s.forces.v, i)), Formulas::motion(load(s.x, i), load(s.v, i)),
-            acceleration(s, block), WideFloat(s.times.keep), WideFloat(s.times.step));
+        Formulas::Motion m =
+            Formulas::predicted_motion(Formulas::motion(x, v), Formulas::motion(load(s.x, i), load(s.v, i)),
+                                       acceleration(s, block), WideFloat(s.times.keep), WideFloat(s.times.step));
         m = push_out_of_bodies<kLanes>(s.bodies, x, m).motion;
         WideVec3 to = select_positive(inverse_mass, m.position, x);
-        store(s.v, i, select_positive(inverse_mass, m.velocity, WideVec3(0.0f)));
+        store(s.v, i, select_positive(inverse_mass, m.velocity, v));
         store(s.predicted, i, to);
         if (s.anchors)
             for (int k = 0; k < kTethersPerVertex; ++k) {
@@ -112,7 +113,7 @@ CpuJacobi::CpuJacobi(const ClothModel& model, const Bodies& bodies, const SimPar
       model_(model),
       forces_(model),
       bodies_(bodies, model),
-      tethers_(model, "xpbd with sweep = jacobi"),
+      tethers_(model),
       predicted_(vertex_count_),
       passed_(vertex_count_)
 {
@@ -177,6 +178,7 @@ void CpuJacobi::refresh_springs(const SimParams& params)
     const bool limited = params.strain_limit > 0;
     springs_ = blocks_of(made, made.share, made.share_length);
     if (limited) limits_ = blocks_of(made, made.limit, made.limit_length);
+    assert(!limited || limits_.runs == springs_.runs);
     masses_changed_ = false;
 }
 

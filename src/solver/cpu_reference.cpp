@@ -119,6 +119,11 @@ double CpuReference::advance(const SimParams& params, double time_s, double long
         const double error = method_.step(acceleration, now_, time_s, h, fresh_ || !plan_.pins().empty(), next_);
         const double next = DormandPrince::next_step(h, error, wanted);
         fresh_ = false;
+        if (!std::isfinite(error)) {  // no step is short enough: let it be seen at the end of the frame
+            step_s_ = 0;
+            h = longest_s;
+            break;
+        }
         if (error <= wanted || h <= kLeastStep) {
             // A step cut short by the end of a frame says little about how long one may be.
             step_s_ = h < step_s_ ? std::max(std::min(next, 5 * step_s_), std::min(step_s_, next)) : next;

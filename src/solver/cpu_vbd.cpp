@@ -110,7 +110,7 @@ CpuVbd::CpuVbd(const ClothModel& model, const Bodies& bodies, VertexColours colo
       moves_(place_count_),
       targets_(place_count_),
       mobility_(place_count_),
-      tethers_(model, "vbd")
+      tethers_(model)
 {
 }
 

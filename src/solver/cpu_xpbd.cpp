@@ -21,6 +21,9 @@ CpuXpbd::CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
         if (params.sweep == Sweep::rows && !strips)
             throw Error(fmt::format(
                 "sweep: rows needs a sheet of equal cells, which {} is not; choose coloured or auto", sheet.name));
+        if (params.tethers == Tethers::contacts && !strips)
+            throw Error(fmt::format(
+                "tethers: contacts needs a sheet of equal cells, which {} is not; choose pins or none", sheet.name));
         if (strips)
             parts_.push_back(std::make_unique<StripSheet>(model, sheet, lanes));
         else

@@ -17,7 +17,7 @@ GpuVbd::GpuVbd(const ClothModel& model, const Bodies& bodies, const SimParams& p
       model_(model),
       forces_(model, kVbdSprings),
       bodies_(bodies, model),
-      tethers_(model, "vbd"),
+      tethers_(model),
       order_(GL_R32I),
       moves_(vertex_count_),
       targets_(vertex_count_)

@@ -18,15 +18,13 @@ glm::vec3 gravity_of(const SimParams& p) { return {p.gravity_x, p.gravity_y, p.g
 // Left to nuno, colours are taken wherever they can be: measured on software they are as fast as all springs at once,
 // or twice as fast (bench/position_bench.cpp). But a hardware device waits for each of some 26 dispatches a substep,
 // where gathering takes 8; so there, between what fits into one work group and what fills the device, all springs are
-// taken at once. (Not measured: no such device was at hand.)
+// taken at once, which is reasoned, not measured (docs/limits.md).
 constexpr std::uint32_t kLeastForJacobi = 1025, kMostForJacobi = 16384;
 
 bool all_at_once(const SimParams& p, std::uint32_t vertex_count)
 {
-    if (p.sweep == Sweep::rows) throw Error("sweep: rows does not run on gpu; choose auto, coloured or jacobi");
     if (p.sweep != Sweep::automatic) return p.sweep == Sweep::jacobi;
-    const bool bends = p.bending_warp != 0 || p.bending_weft != 0 || p.bending_bias != 0;
-    return !gl_info().software && !bends && vertex_count >= kLeastForJacobi && vertex_count <= kMostForJacobi;
+    return !gl_info().software && !bends(p) && vertex_count >= kLeastForJacobi && vertex_count <= kMostForJacobi;
 }
 
 }  // namespace
@@ -36,7 +34,7 @@ GpuXpbd::GpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
       model_(model),
       forces_(model),
       bodies_(bodies, model),
-      tethers_(model, "xpbd on gpu"),
+      tethers_(model),
       inverse_masses_(model.vertex_count()),
       predicted_(vertex_count_),
       given_(vertex_count_ * sizeof(glm::vec4), nullptr, GL_DYNAMIC_DRAW),

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "solver/spring_share.h"
 #include "solver/xpbd_part.h"
 
@@ -40,9 +39,6 @@ JacobiSprings make_jacobi_springs(const ClothModel& model, const SimParams& para
     std::vector<Share> shares(weights.size());
     std::vector<double> taken(model.vertex_count());
     for (std::size_t n = 0; n < weights.size(); ++n) {
-        if (weights[n].plate != 0)
-            throw Error(
-                "sweep: jacobi has no bending_warp, bending_weft and bending_bias; choose coloured, or 0 for them");
         const Spring& spring = model.springs[n];
         const double both = double(inverse_masses[spring.a]) + double(inverse_masses[spring.b]);
         shares[n].all = spring_share(both, double(weights[n].axial), step, jacobi_passes(params));

@@ -27,7 +27,7 @@ struct JacobiSprings
     std::vector<float> share, share_length, limit, limit_length;
 };
 
-// `inverse_masses`: one a vertex. Error where the cloth has bending that is not made of springs.
+// `inverse_masses`: one a vertex. Bending by the stiffness D is left out; method_table refuses it.
 JacobiSprings make_jacobi_springs(const ClothModel& model, const SimParams& params,
                                   std::span<const float> inverse_masses);
 

@@ -45,7 +45,7 @@ struct Kernel
         if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, x.xyz, m).motion;
         const Vec3 held = x.xyz;
         x.xyz = m.position = select_positive(x.w, m.position, held);
-        v.xyz = select_positive(x.w, m.velocity, Vec3(0.0f));
+        v.xyz = select_positive(x.w, m.velocity, v.xyz);
         Positions::store(s.velocities, at.index, v);
         Positions::store(s.predicted, at.index, x);
         for (const MeshTethers& tethers : s.tethers) {
@@ -70,7 +70,6 @@ struct Kernel
             m = contact.motion;
             x.xyz = select_positive(x.w, m.position, x.xyz);
             Positions::store(s.positions, at.index, x);
-            select_positive(x.w, contact.sticks, Real(0.0f)).store(s.sticking + first);
             // After a contact the motion before it says nothing about the one to come.
             const Vec3 lost = m.velocity - end;
             const Real touched = Formulas::dot_product(lost, lost);

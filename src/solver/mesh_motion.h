@@ -30,7 +30,6 @@ struct MeshMotion
     std::span<const MeshTethers> tethers;
     const float* anchors;
     const BodyContacts* bodies;  // null: none
-    float* sticking;             // one a vertex: 1 where a body holds it at the end
     int lanes;                   // 16, 8 or 4; the result is the same
 };
 

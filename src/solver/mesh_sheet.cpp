@@ -16,7 +16,6 @@ MeshSheet::MeshSheet(const ClothModel& model, const Sheet& sheet, int lanes)
     last_positions_.resize(padded);
     last_velocities_.resize(padded);
     predicted_.resize(padded);
-    sticking_.resize(padded);
 }
 
 void MeshSheet::upload(const ClothState& state)
@@ -191,7 +190,6 @@ void MeshSheet::step(const XpbdStep& step)
                             tethers_,
                             nullptr,
                             nullptr,
-                            sticking_.data(),
                             lanes_};
     const int thread_count = sheet_.vertex_count < kLeastVerticesForThreads ? 1 : step.pool.thread_count();
     if (thread_count == 1) return run_thread(step, motion, 0, nullptr, 1);

@@ -43,7 +43,6 @@ class MeshSheet final : public XpbdPart
 
     // By place, as MeshConstraints numbers the vertices.
     Vec4s positions_, velocities_, last_positions_, last_velocities_, predicted_, accelerations_, anchors_;
-    std::vector<float> sticking_;
     std::vector<MeshTethers> tethers_;
     std::vector<std::uint32_t> anchor_places_;
     bool masses_changed_ = true, pins_changed_ = true;

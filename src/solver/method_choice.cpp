@@ -21,15 +21,22 @@ double side_of(const ClothModel& model)
     return side;
 }
 
+// The most that the wind presses on cloth at rest [N/m2].
+double wind_load(const SimParams& p)
+{
+    if (p.wind_model == WindModel::sines) return std::abs(double(p.wind_mean)) + double(p.wind_strength);
+    const double speed = std::hypot(double(p.wind_x), double(p.wind_y), double(p.wind_z)) + double(p.gust_speed);
+    return 0.5 * double(p.air_density) * double(p.pressure_coefficient) * speed * speed;
+}
+
 // Substeps of xpbd and vbd that keep the strain of a stiff sheet hung by two corners under 3 % (docs/methods.md), more
 // under more than the earth's load.
 int sweeping_substeps(const ClothModel& model, const SimParams& p)
 {
-    const double least = std::ceil(6.4 * std::pow(side_of(model) / 64, 0.7));
+    const double least = std::max(3.0, 6.4 * std::pow(side_of(model) / 64, 0.7));
     const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
-    const double wind = (std::abs(double(p.wind_mean)) + double(p.wind_strength)) / double(p.areal_density);
-    const double load = std::max(1.0, std::sqrt((gravity + wind) / 9.81));
-    return static_cast<int>(std::min(std::ceil(std::max(3.0, least) * load), 1000.0));
+    const double load = std::max(1.0, std::sqrt((gravity + wind_load(p) / double(p.areal_density)) / 9.81));
+    return static_cast<int>(std::min(std::ceil(least * load), 1000.0));
 }
 
 int substeps_for(const ClothModel& model, const SimParams& params)
@@ -56,7 +63,8 @@ SimParams resolve_params(const ClothModel& model, const SimParams& asked)
         const bool bounded =
             asked.strain_limit > 0 || asked.tethers == Tethers::pins || asked.tethers == Tethers::contacts;
         const bool stable = least > 0 && least <= most;
-        if ((bounded || !stable) && asked.internal_model != InternalModel::continuum) params.method = Method::xpbd;
+        const bool beyond_xpbd = asked.internal_model == InternalModel::continuum || asked.stiffness_damping > 0;
+        if ((bounded || !stable) && !beyond_xpbd) params.method = Method::xpbd;
     }
     if (asked.substeps == 0) params.substeps = substeps_for(model, params);
     const bool position_based = params.method == Method::xpbd || params.method == Method::vbd;

@@ -8,7 +8,7 @@ namespace nuno {
 
 // `asked` with every "auto" replaced: method becomes symplectic_euler where that is stable with the substeps asked for
 // (or, where these are 0, with at most kMostExplicitSubsteps) and no tether or strain limit is asked for, else xpbd;
-// with internal_model = continuum, which xpbd has not, always symplectic_euler. Substeps 0 becomes what the method
+// with internal_model = continuum or stiffness_damping, which xpbd has not, always symplectic_euler. Substeps 0 becomes what the method
 // needs; tethers become pins with xpbd and vbd, else none. What was asked for by name stays, stable or not. Error where
 // the constants of a membrane are none.
 SimParams resolve_params(const ClothModel& model, const SimParams& asked);

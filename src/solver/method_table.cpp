@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <vector>
 
 #include "core/error.h"
@@ -42,17 +43,17 @@ std::unique_ptr<ClothSolver> cpu_xpbd(const SolverInput& in)
     return in.params.sweep == Sweep::jacobi ? cpu<CpuJacobi>(in) : cpu<CpuXpbd>(in);
 }
 
-// Method, name, order, on the CPU, on the GPU, continuum, tethers.
+// Method, name, order, on the CPU, on the GPU, continuum, tethers, dampers.
 constexpr MethodInfo kMethods[] = {
-    {Method::explicit_euler, "explicit_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false},
-    {Method::symplectic_euler, "symplectic_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false},
-    {Method::verlet, "verlet", 2, cpu<CpuVerlet>, gpu<GpuVerlet>, true, false},
-    {Method::rk4, "rk4", 4, cpu<CpuRk4>, gpu<GpuRk4>, true, false},
-    {Method::xpbd, "xpbd", 2, cpu_xpbd, gpu<GpuXpbd>, false, true},
-    {Method::vbd, "vbd", 1, cpu<CpuVbd>, gpu<GpuVbd>, false, true},
-    {Method::implicit_euler, "implicit_euler", 1, cpu<CpuImplicit>, nullptr, false, false},
-    {Method::sdirk2, "sdirk2", 2, cpu<CpuImplicit>, nullptr, false, false},
-    {Method::reference, "reference", 5, cpu<CpuReference>, nullptr, true, false},
+    {Method::explicit_euler, "explicit_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false, true},
+    {Method::symplectic_euler, "symplectic_euler", 1, cpu<CpuEuler>, gpu<GpuEuler>, true, false, true},
+    {Method::verlet, "verlet", 2, cpu<CpuVerlet>, gpu<GpuVerlet>, true, false, true},
+    {Method::rk4, "rk4", 4, cpu<CpuRk4>, gpu<GpuRk4>, true, false, true},
+    {Method::xpbd, "xpbd", 2, cpu_xpbd, gpu<GpuXpbd>, false, true, false},
+    {Method::vbd, "vbd", 1, cpu<CpuVbd>, gpu<GpuVbd>, false, true, true},
+    {Method::implicit_euler, "implicit_euler", 1, cpu<CpuImplicit>, nullptr, false, false, true},
+    {Method::sdirk2, "sdirk2", 2, cpu<CpuImplicit>, nullptr, false, false, true},
+    {Method::reference, "reference", 5, cpu<CpuReference>, nullptr, true, false, true},
 };
 
 // The names of the methods for which `fits` holds, as a choice.
@@ -77,11 +78,28 @@ void check(const MethodInfo* info, const SimParams& params)
             fmt::format("internal_model: {} has no continuum; choose internal_model fabric_springs or springs, "
                         "or method {}",
                         method, choices([&](const MethodInfo& m) { return here(m) && m.takes_continuum; })));
+    if (params.stiffness_damping > 0 && !info->takes_dampers)
+        throw Error(fmt::format("stiffness_damping: {} has none; choose 0, or method {}", method,
+                                choices([&](const MethodInfo& m) { return here(m) && m.takes_dampers; })));
     const bool tethered = params.tethers != Tethers::none && params.tethers != Tethers::automatic;
     if ((tethered || params.strain_limit > 0) && !info->takes_tethers)
         throw Error(fmt::format("{}: {} has none; choose {}, or method {}", tethered ? "tethers" : "strain_limit",
                                 method, tethered ? "none" : "0",
                                 choices([&](const MethodInfo& m) { return here(m) && m.takes_tethers; })));
+}
+
+// What only some orders of xpbd's constraints have.
+void check_sweep(const SimParams& params)
+{
+    const bool on_gpu = params.backend == Backend::gpu, xpbd = params.method == Method::xpbd;
+    if (xpbd && on_gpu && params.sweep == Sweep::rows)
+        throw Error("sweep: rows does not run on gpu; choose auto, coloured or jacobi");
+    if (xpbd && params.sweep == Sweep::jacobi && bends(params))
+        throw Error("sweep: jacobi has no bending_warp, bending_weft and bending_bias; choose coloured, or 0 for them");
+    const bool in_rows = xpbd && !on_gpu && (params.sweep == Sweep::rows || params.sweep == Sweep::automatic);
+    if (params.tethers == Tethers::contacts && !in_rows)
+        throw Error(
+            "tethers: contacts needs method xpbd on backend cpu with sweep rows or auto; choose these, pins or none");
 }
 
 const MethodInfo* find(Method method)
@@ -95,13 +113,19 @@ const MethodInfo* find(Method method)
 
 std::span<const MethodInfo> method_table() { return kMethods; }
 
-const MethodInfo& method_info(Method method) { return *find(method); }
+const MethodInfo& method_info(Method method)
+{
+    const MethodInfo* info = find(method);
+    assert(info);
+    return *info;
+}
 
 std::unique_ptr<ClothSolver> make_solver(const ClothModel& model, const Bodies& bodies, const SimParams& params,
                                          ThreadPool& pool)
 {
     const MethodInfo* info = find(params.method);
     check(info, params);
+    check_sweep(params);
     const MethodInfo::Make make = params.backend == Backend::cpu ? info->make_cpu : info->make_gpu;
     return make({model, bodies, params, pool});
 }

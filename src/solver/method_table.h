@@ -29,6 +29,7 @@ struct MethodInfo
     Make make_cpu, make_gpu;  // null where the backend lacks the method
     bool takes_continuum;     // internal_model = continuum
     bool takes_tethers;       // tethers and strain_limit
+    bool takes_dampers;       // stiffness_damping
 
     bool on(Backend backend) const { return (backend == Backend::cpu ? make_cpu : make_gpu) != nullptr; }
 };

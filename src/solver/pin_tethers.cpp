@@ -1,11 +1,7 @@
 // Tethers of all sheets.
 #include "solver/pin_tethers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "core/error.h"
 
 namespace nuno {
 
@@ -17,8 +13,6 @@ void PinTethers::set_held(std::uint32_t vertex, bool held)
 
 bool PinTethers::refresh(const SimParams& params)
 {
-    if (params.tethers == Tethers::contacts)
-        throw Error(fmt::format("tethers: {} has none to contacts; choose pins or none", method_));
     const bool wanted = params.tethers != Tethers::none;
     const bool changed = wanted != wanted_ || (wanted && (held_changed_ || params.tether_stretch != stretch_));
     if (!changed) return false;

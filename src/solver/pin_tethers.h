@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "model/tethers.h"
@@ -12,16 +11,12 @@ namespace nuno {
 class PinTethers
 {
   public:
-    // `model` must outlive it. `method`: for messages.
-    PinTethers(const ClothModel& model, std::string_view method)
-        : model_(model), method_(method), held_(model.vertex_count())
-    {
-    }
+    // `model` must outlive it.
+    explicit PinTethers(const ClothModel& model) : model_(model), held_(model.vertex_count()) {}
 
     void set_held(std::uint32_t vertex, bool held);
 
-    // True where the tethers are others than after the call before. Error where tethers are asked for that only other
-    // methods have.
+    // True where the tethers are others than after the call before.
     bool refresh(const SimParams& params);
 
     bool any() const { return !tethers_.empty(); }
@@ -30,7 +25,6 @@ class PinTethers
 
   private:
     const ClothModel& model_;
-    const std::string_view method_;
     std::vector<std::uint8_t> held_;
     bool held_changed_ = true, wanted_ = false;
     float stretch_ = 0;

@@ -38,7 +38,7 @@ struct Kernel : StripLane<kLaneCount>
             m = Formulas::held_back(m, load(anchor), Real(s.contacts->lengths.data() + vector * kStrips + lane));
         }
         m.position = select_positive(mobility, m.position, x);
-        m.velocity = select_positive(mobility, m.velocity, Vec3(0.0f));
+        m.velocity = select_positive(mobility, m.velocity, v);
         store(s.velocities + at + lane, m.velocity);
         store(s.predicted + at + lane, m.position);
         Vec3 end = m.position;

@@ -32,7 +32,7 @@ struct StripMotion
     const StripTethers* contacts;  // tethers to vertices that stick to bodies; null: none
     const float* anchors;          // [m] positions, kVec3Floats each
     const BodyContacts* bodies;    // null: none
-    float* sticking;               // a lane: 1 where a body holds the vertex at the end; null: not asked for
+    float* sticking;               // a lane: 1 where a body holds the vertex at the end
     int lanes;                     // as in StripSweep
 };
 

@@ -102,6 +102,7 @@ struct ShareMaker
             const double s = share(double(w0) + double(w1), double(k));
             lanes[strip] = static_cast<float>(s * double(w0));
             lanes[kStrips + strip] = static_cast<float>(s * double(w1));
+            lanes[2 * kStrips + strip] = static_cast<float>(s > 0 ? 1 / (s * (double(w0) + double(w1))) : 0);
             plain = plain && w0 == 1 && w1 == 1 && k == stiffness.inside;
         }
         return plain;
@@ -209,11 +210,12 @@ void StripShareTables::make(const StripLayout& layout, const float* mobility, fl
                 made.plates[std::size_t(k)] = table.data();
             }
             for (int k = 0; k < kStripSpringCount; ++k) {
-                StripLanes& table = tables_.emplace_back(static_cast<std::size_t>(2 * row_lanes), 0.0f);
+                StripLanes& table =
+                    tables_.emplace_back(static_cast<std::size_t>(kStripShareFloats * layout.width), 0.0f);
                 std::vector<bool> plain;
                 for (int c = 0; c < layout.width; ++c)
                     plain.push_back(
-                        maker.fill(table.data() + c * 2 * kStrips, stiffnesses.springs[std::size_t(k)], k, c, j));
+                        maker.fill(table.data() + c * kStripShareFloats, stiffnesses.springs[std::size_t(k)], k, c, j));
                 const auto begin = std::find(plain.begin(), plain.end(), true);
                 const auto end = std::find(begin, plain.end(), false);
                 made.springs[std::size_t(k)] = {table.data(), int(begin - plain.begin()), int(end - plain.begin())};

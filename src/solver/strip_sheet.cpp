@@ -90,6 +90,7 @@ void StripSheet::upload(const ClothState& state)
         put(velocities_, vertex, glm::vec3(state.velocities[vertex]));
         inverse_masses_[v] = state.positions[vertex].w;
     }
+    std::fill(sticking_.begin(), sticking_.end(), 0.0f);
     // Padding is a flat cloth of its own, like the sheet's first cell.
     const auto corner = [&](int i, int j) { return model_.rest_positions[layout_.vertex(sheet_, i, j)]; };
     const glm::vec3 origin = corner(0, 0), across = corner(1, 0) - origin, down = corner(0, 1) - origin;

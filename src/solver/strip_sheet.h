@@ -18,7 +18,7 @@ namespace nuno {
 class StripSheet final : public XpbdPart
 {
   public:
-    // `model` and `sheet`, a grid that strip_stiffnesses accepts, must outlive it; `lanes` as in StripSweep.
+    // `model` and `sheet`, a grid that suits_strips accepts, must outlive it; `lanes` as in StripSweep.
     StripSheet(const ClothModel& model, const Sheet& sheet, int lanes);
 
     void upload(const ClothState& state) override;

@@ -15,12 +15,11 @@ struct Kernel : StripLane<kLaneCount>
     using StripLane<kLaneCount>::load;
     using StripLane<kLaneCount>::store;
 
-    static NUNO_WIDE_INLINE Real excess(const StripSpringTerms& s, const Vec3& d, int lane)
+    static NUNO_WIDE_INLINE Real excess(const StripSpringTerms& s, const Vec3& d, int lane, const float* hardness)
     {
         const Real rest_length(s.rest_length.data() + lane);
         if constexpr (kLimited)
-            return Formulas::limited_excess(d, rest_length, Real(s.limit_length.data() + lane),
-                                            Real(s.hardness.data() + lane));
+            return Formulas::limited_excess(d, rest_length, Real(s.limit_length.data() + lane), Real(hardness + lane));
         else
             return Formulas::spring_excess(d, rest_length);
     }
@@ -29,7 +28,7 @@ struct Kernel : StripLane<kLaneCount>
     {
         const Real share(s.share.data() + lane);
         if constexpr (kLimited)
-            return share * excess(s, d, lane);
+            return share * excess(s, d, lane, s.hardness.data());
         else
             return Formulas::spring_pull(d, share, Real(s.share_length.data() + lane));
     }
@@ -48,7 +47,7 @@ struct Kernel : StripLane<kLaneCount>
     {
         for (int lane = 0; lane < kStrips; lane += kLaneCount) {
             const Vec3 xa = load(a + lane), xb = load(b + lane), d = xb - xa;
-            const Real e = excess(s, d, lane);
+            const Real e = excess(s, d, lane, shares + 2 * kStrips);
             // A vector in the next strip ends with the first lane of the vector behind it, unchanged. So it is written
             // first, for that may be a's.
             store(b + lane, xb - (Real(shares + kStrips + lane) * e) * d);
@@ -85,7 +84,7 @@ struct Kernel : StripLane<kLaneCount>
         if (c >= shares.plain_begin && c < shares.plain_end)
             project_plain(s, first, second);
         else
-            project_shared(s, first, second, shares.lanes + c * 2 * kStrips);
+            project_shared(s, first, second, shares.lanes + c * kStripShareFloats);
     }
 
     template <bool kBack, class Body>

@@ -45,8 +45,9 @@ struct StripSpringTerms
     alignas(64) Lanes hardness{};
 };
 
-// Shares of both ends, by vector: kStrips of the first end, then of the second. Vectors plain_begin .. plain_end have
-// the common share in every lane, which reads nothing.
+// Shares of both ends, by vector: kStrips of the first end, of the second, then the hardness. Vectors plain_begin ..
+// plain_end have the common numbers in every lane, which reads nothing.
+inline constexpr int kStripShareFloats = 3 * kStrips;
 struct StripShares
 {
     const float* lanes;

@@ -51,6 +51,8 @@ TEST(BadInput, names_and_values_of_parameters)
                 HasSubstr("vbd has no continuum"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "rk4", "--set", "tethers=pins"}),
                 HasSubstr("tethers: rk4 has none; choose none, or method xpbd"));
+    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "xpbd", "--set", "stiffness_damping=0.01"}),
+                HasSubstr("stiffness_damping: xpbd has none; choose 0, or method"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "thickness=-0.01"}), HasSubstr("from 0 to 1 m"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "areal_density=0"}), HasSubstr("0.001"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--backend", "tpu"}), HasSubstr("cpu or gpu"));

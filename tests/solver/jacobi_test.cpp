@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "solver/cpu_jacobi.h"
+#include "solver/method_table.h"
 #include "support/sheets.h"
 
 namespace nuno {
@@ -172,10 +173,8 @@ TEST(Jacobi, refuses_bending_that_is_not_made_of_springs_and_says_what_would_do)
     SimParams params = jacobi_params(5);
     params.bending_warp = 1e-3f;
     ThreadPool pool(1);
-    CpuJacobi solver(model, kNoBodies, params, pool);
-    solver.upload(start_state(model, params));
     try {
-        solver.step({params, 0, 1});
+        make_solver(model, kNoBodies, params, pool);
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("choose coloured"), std::string::npos) << error.what();
