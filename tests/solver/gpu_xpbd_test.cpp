@@ -134,7 +134,7 @@ TEST_P(GpuPositionTest, tethers_to_contacts_are_refused_by_name)
         make_solver(model, none_, params_, pool);
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("choose pins or none"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("choose these, pins or none"), std::string::npos) << error.what();
     }
 }
 
