@@ -2,7 +2,7 @@
 // shared/reference/baselines.md ("hang"), and how many iterations a solve takes.
 #include <benchmark/benchmark.h>
 
-#include "solver/cpu_implicit.h"
+#include "solver/implicit/cpu_implicit.h"
 
 namespace nuno {
 namespace {

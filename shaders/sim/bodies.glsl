@@ -1,4 +1,4 @@
-// Contact with the rigid bodies of a scene, as src/solver/cpu_bodies.h has it.
+// Contact with the rigid bodies of a scene, as src/solver/base/cpu_bodies.h has it.
 // Defined by the caller: PLANE_COUNT, SPHERE_COUNT, CAPSULE_COUNT, BOX_COUNT, MESH_COUNT. Include after shared/euler.h
 // and what declares the block SimParams and the uniform `substep` (sim/forces.glsl).
 #include "shared/body_shapes.h"

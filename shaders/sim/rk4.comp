@@ -1,5 +1,5 @@
 #version 430 core
-// A stage of the classic Runge-Kutta method, one invocation a vertex (src/solver/cpu_rk4.cpp).
+// A stage of the classic Runge-Kutta method, one invocation a vertex (src/solver/explicit/cpu_rk4.cpp).
 // Defined by the caller: FIRST, LAST (0, 1: the stage), and what sim/forces.glsl and sim/bodies.glsl need.
 #include "shared/dialect.glsl"
 #include "sim/forces.glsl"

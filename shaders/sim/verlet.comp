@@ -1,6 +1,6 @@
 #version 430 core
 // Velocity Verlet, one invocation a vertex: KICKS ends a substep (accelerations are taken and kick the velocities),
-// DRIFTS begins the next one (src/solver/cpu_verlet.cpp).
+// DRIFTS begins the next one (src/solver/explicit/cpu_verlet.cpp).
 // Defined by the caller: KICKS, DRIFTS (0, 1), and what sim/forces.glsl and sim/bodies.glsl need.
 #include "shared/dialect.glsl"
 #include "sim/forces.glsl"

@@ -1,6 +1,6 @@
 #version 430 core
 // The end of a substep of xpbd: the velocity that takes in what moved the vertex, and contact with bodies; as
-// src/solver/mesh_motion.cpp has it. One invocation a vertex.
+// src/solver/xpbd/mesh_motion.cpp has it. One invocation a vertex.
 // Defined by the caller: what sim/forces.glsl and sim/bodies.glsl need.
 #include "shared/dialect.glsl"
 #include "sim/forces.glsl"

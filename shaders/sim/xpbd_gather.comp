@@ -1,5 +1,5 @@
 #version 430 core
-// Projects all springs at once (src/solver/jacobi_springs.h): each vertex gathers what its springs ask of it. One
+// Projects all springs at once (src/solver/xpbd/jacobi_springs.h): each vertex gathers what its springs ask of it. One
 // invocation a vertex.
 // Defined by the caller: SPRING_QUADS (slots of the table / 4), LIMITED (0, 1).
 #include "shared/bindings.h"

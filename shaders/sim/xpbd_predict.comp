@@ -1,6 +1,6 @@
 #version 430 core
 // The beginning of a substep of xpbd: motion without springs, contact with bodies, tethers; as
-// src/solver/mesh_motion.cpp has it. One invocation a vertex.
+// src/solver/xpbd/mesh_motion.cpp has it. One invocation a vertex.
 // Defined by the caller: what sim/forces.glsl, sim/bodies.glsl and sim/tethers.glsl need.
 #include "shared/dialect.glsl"
 #include "sim/forces.glsl"

@@ -11,7 +11,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 layout(binding = UNIT_POSITIONS) uniform samplerBuffer old_positions; // w: inverse mass
 layout(binding = UNIT_ENDS) uniform isamplerBuffer ends;              // two vertices; -1 where nothing is
-layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers;         // SpringNumber of solver/constraint_colours.h
+layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers;         // SpringNumber of solver/xpbd/constraint_colours.h
 layout(std430, binding = BLOCK_POSITIONS) writeonly buffer NewPositions { vec4 new_positions[]; };
 layout(location = LOCATION_FIRST_PLACE) uniform int first;
 layout(location = LOCATION_END_PLACE) uniform int end;

@@ -10,7 +10,7 @@
 
 layout(local_size_x = SMALL_GROUP) in;
 layout(binding = UNIT_ENDS) uniform isamplerBuffer ends;      // two vertices; -1 where nothing is
-layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers; // SpringNumber of solver/constraint_colours.h
+layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers; // SpringNumber of solver/xpbd/constraint_colours.h
 layout(binding = UNIT_COLOUR_STARTS) uniform isamplerBuffer colour_starts;
 layout(std430, binding = BLOCK_POSITIONS) buffer Positions { vec4 positions[]; }; // w: inverse mass
 layout(location = LOCATION_VERTEX_COUNT) uniform int vertex_count;

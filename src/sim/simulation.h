@@ -13,7 +13,7 @@
 #include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
-#include "solver/cloth_solver.h"
+#include "solver/base/cloth_solver.h"
 
 namespace nuno {
 

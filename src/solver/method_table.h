@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/thread_pool.h"
-#include "solver/cloth_solver.h"
+#include "solver/base/cloth_solver.h"
 
 namespace nuno {
 

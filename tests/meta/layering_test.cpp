@@ -74,6 +74,17 @@ TEST(Layering, folders_of_one_floor_do_not_see_each_other)
     EXPECT_TRUE(is_breach("shaders/render/cloth.frag", "#include \"sim/euler.comp\""));
 }
 
+TEST(Layering, methods_of_the_solver_see_what_they_share_but_not_each_other)
+{
+    EXPECT_FALSE(is_breach("src/solver/xpbd/cpu_xpbd.cpp", "#include \"solver/base/cpu_solver.h\""));
+    EXPECT_FALSE(is_breach("src/solver/method_table.cpp", "#include \"solver/xpbd/cpu_xpbd.h\""));
+    EXPECT_FALSE(is_breach("src/sim/simulation.cpp", "#include \"solver/base/cloth_solver.h\""));
+    EXPECT_TRUE(is_breach("src/solver/xpbd/cpu_xpbd.cpp", "#include \"solver/vbd/cpu_vbd.h\""));
+    EXPECT_TRUE(is_breach("src/solver/base/cpu_solver.cpp", "#include \"solver/xpbd/cpu_xpbd.h\""));
+    EXPECT_TRUE(is_breach("src/solver/base/cpu_solver.cpp", "#include \"solver/method_table.h\""));
+    EXPECT_TRUE(is_breach("src/solver/method_table.cpp", "#include \"scene/scene.h\""));
+}
+
 TEST(Layering, unknown_folders_are_breaches)
 {
     EXPECT_TRUE(is_breach("src/utils/misc.cpp", "#include <vector>"));
@@ -86,12 +97,12 @@ TEST(Layering, libraries_stay_in_the_folders_meant_for_them)
 {
     EXPECT_TRUE(is_breach("src/render/view.cpp", "#include <imgui.h>"));
     EXPECT_TRUE(is_breach("src/gl/context.cpp", "#include <GLFW/glfw3.h>"));
-    EXPECT_TRUE(is_breach("src/solver/cpu_euler.cpp", "#include <glad/gl.h>"));
-    EXPECT_TRUE(is_breach("src/solver/cpu_euler.cpp", "#include \"gl/buffer.h\""));
+    EXPECT_TRUE(is_breach("src/solver/explicit/cpu_euler.cpp", "#include <glad/gl.h>"));
+    EXPECT_TRUE(is_breach("src/solver/explicit/cpu_euler.cpp", "#include \"gl/buffer.h\""));
     EXPECT_TRUE(is_breach("src/collision/bvh.cpp", "#include <GL/gl.h>"));
     EXPECT_TRUE(is_breach("src/core/text.cpp", "#include <gtest/gtest.h>"));
-    EXPECT_FALSE(is_breach("src/solver/gpu_euler.cpp", "#include <glad/gl.h>"));
-    EXPECT_FALSE(is_breach("src/solver/gpu_euler.cpp", "#include \"gl/buffer.h\""));
+    EXPECT_FALSE(is_breach("src/solver/explicit/gpu_euler.cpp", "#include <glad/gl.h>"));
+    EXPECT_FALSE(is_breach("src/solver/explicit/gpu_euler.cpp", "#include \"gl/buffer.h\""));
     EXPECT_FALSE(is_breach("src/app/panel.cpp", "#include <imgui.h>"));
     EXPECT_FALSE(is_breach("src/gl/context.cpp", "#include <EGL/egl.h>"));
 }

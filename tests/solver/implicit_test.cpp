@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "solver/cpu_implicit.h"
-#include "solver/cpu_reference.h"
+#include "solver/explicit/cpu_reference.h"
+#include "solver/implicit/cpu_implicit.h"
 #include "support/sheets.h"
 
 namespace nuno {

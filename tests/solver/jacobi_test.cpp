@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/error.h"
-#include "solver/cpu_jacobi.h"
 #include "solver/method_table.h"
+#include "solver/xpbd/cpu_jacobi.h"
 #include "support/sheets.h"
 
 namespace nuno {

@@ -1,5 +1,5 @@
 // The reference method against closed forms, and against itself at other tolerances.
-#include "solver/cpu_reference.h"
+#include "solver/explicit/cpu_reference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The blocks that the CPU reads hold what the entries hold.
-#include "solver/spring_blocks.h"
+#include "solver/base/spring_blocks.h"
 
 #include <gtest/gtest.h>
 

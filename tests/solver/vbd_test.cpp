@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/spring_weights.h"
-#include "solver/cpu_vbd.h"
+#include "solver/vbd/cpu_vbd.h"
 #include "support/sheets.h"
 
 namespace nuno {

@@ -1,7 +1,7 @@
 // The number of threads changes nothing of what vertex block descent gives.
 #include <gtest/gtest.h>
 
-#include "solver/cpu_vbd.h"
+#include "solver/vbd/cpu_vbd.h"
 #include "support/sheets.h"
 
 namespace nuno {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/force_model.h"
-#include "solver/by_lanes.h"
-#include "solver/cpu_xpbd.h"
+#include "solver/xpbd/by_lanes.h"
+#include "solver/xpbd/cpu_xpbd.h"
 #include "support/sheets.h"
 
 namespace nuno {

@@ -1,0 +1,97 @@
+// The state in lanes, and its way in and out.
+#include "solver/base/cpu_solver.h"
+
+#include <bit>
+#include <utility>
+
+namespace nuno {
+namespace {
+
+// Fewer vertices than this are not worth waking a second thread for.
+constexpr std::uint32_t kLeastVerticesForThreads = 2048;
+
+}  // namespace
+
+CpuSolver::CpuSolver(const ClothModel& model, ThreadPool& pool)
+    : pool_(pool),
+      vertex_count_(model.vertex_count()),
+      place_count_(vertex_count_),
+      positions_{VertexLanes3(place_count_), VertexLanes3(place_count_)},
+      velocities_{VertexLanes3(place_count_), VertexLanes3(place_count_)},
+      inverse_mass_(place_count_),
+      area_(place_count_)
+{
+}
+
+CpuSolver::CpuSolver(std::vector<std::uint32_t> places, std::uint32_t place_count, ThreadPool& pool)
+    : pool_(pool),
+      places_(std::move(places)),
+      vertex_count_(static_cast<std::uint32_t>(places_.size())),
+      place_count_(place_count),
+      positions_{VertexLanes3(place_count_), VertexLanes3(place_count_)},
+      velocities_{VertexLanes3(place_count_), VertexLanes3(place_count_)},
+      inverse_mass_(place_count_),
+      area_(place_count_)
+{
+}
+
+void CpuSolver::upload(const ClothState& state)
+{
+    for (std::uint32_t i = 0; i < vertex_count_; ++i) {
+        positions_[current_].put(place(i), state.positions[i]);
+        velocities_[current_].put(place(i), state.velocities[i]);
+        inverse_mass_.first()[place(i)] = state.positions[i].w;
+        area_.first()[place(i)] = state.velocities[i].w;
+    }
+}
+
+void CpuSolver::upload_velocities(std::span<const glm::vec4> velocities)
+{
+    for (std::uint32_t i = 0; i < vertex_count_; ++i) velocities_[current_].put(place(i), velocities[i]);
+}
+
+void CpuSolver::set_vertex(std::uint32_t vertex, glm::vec4 position)
+{
+    positions_[current_].put(place(vertex), position);
+    velocities_[current_].put(place(vertex), glm::vec4(0));
+    inverse_mass_.first()[place(vertex)] = position.w;
+}
+
+void CpuSolver::run_team(const std::function<void(const Team&)>& body)
+{
+    const int thread_count = vertex_count_ < kLeastVerticesForThreads ? 1 : pool_.thread_count();
+    if (thread_count == 1) return body({0, 1, nullptr});
+    SpinBarrier barrier(thread_count);
+    pool_.run([&](int thread) { body({thread, thread_count, &barrier}); });
+}
+
+void CpuSolver::run_blocks(const std::function<void(Range, SpinBarrier*)>& body)
+{
+    run_team([&](const Team& team) { body(team.part(0, block_count()), team.barrier); });
+}
+
+void CpuSolver::download_positions(std::span<glm::vec4> positions)
+{
+    for (std::uint32_t i = 0; i < vertex_count_; ++i)
+        positions[i] = positions_[current_].at(place(i), inverse_mass_.first()[place(i)]);
+}
+
+void CpuSolver::download_velocities(std::span<glm::vec4> velocities)
+{
+    for (std::uint32_t i = 0; i < vertex_count_; ++i)
+        velocities[i] = velocities_[current_].at(place(i), area_.first()[place(i)]);
+}
+
+std::optional<std::uint32_t> CpuSolver::first_not_finite()
+{
+    constexpr std::uint32_t exponent = 0x7f800000u;
+    const Lanes3 x = positions_[current_].lanes(), v = velocities_[current_].lanes();
+    for (std::uint32_t vertex = 0; vertex < vertex_count_; ++vertex) {
+        const std::uint32_t i = place(vertex);
+        for (const float a : {x.x[i], x.y[i], x.z[i], v.x[i], v.y[i], v.z[i]})
+            if ((std::bit_cast<std::uint32_t>(a) & exponent) == exponent) return vertex;
+    }
+    return std::nullopt;
+}
+
+}  // namespace nuno

@@ -1,0 +1,51 @@
+// The forces of a model as kernels that include sim/forces.glsl read them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/buffer_texture.h"
+#include "gl/program.h"
+#include "model/spring_weights.h"
+#include "solver/base/gpu_faces.h"
+
+namespace nuno {
+
+class GpuForces
+{
+  public:
+    explicit GpuForces(const ClothModel& model, SpringRule rule = kTrueSprings);
+
+    // Uploads the springs anew where their parameters have changed; true where kernels must be compiled for other
+    // defines().
+    // Error where springs do not fit into what this device reads.
+    bool refresh(const SimParams& params);
+    std::vector<Define> defines() const;
+    // Binds the textures of springs and faces.
+    void bind() const;
+    // Where there are forces on faces, computes them for the state bound as what kernels read; leaves another program
+    // in use then. To call before each kernel that takes accelerations.
+    void run_face_pass(double time_s);
+
+  private:
+    // A buffer with a view of it.
+    struct Table
+    {
+        explicit Table(GLenum format) : texture(format) {}
+        Buffer buffer;
+        BufferTexture texture;
+    };
+    void upload_springs(const SpringEntries& entries);
+
+    const ClothModel& model_;
+    const SpringRule rule_;
+    std::optional<SimParams> made_for_;
+    int quad_count_ = 0;
+    bool damped_ = false;
+    std::optional<GpuFaces> faces_;
+    FaceForces face_forces_{};
+    Table neighbours_, stiffness_, tension_, axial_;
+};
+
+}  // namespace nuno

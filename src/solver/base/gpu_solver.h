@@ -1,0 +1,56 @@
+// What the solvers in compute shaders share: the state in buffers, its way in and out, and the inputs of their kernels.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gl/buffer.h"
+#include "gl/buffer_texture.h"
+#include "gl/program.h"
+#include "gl/readback.h"
+#include "model/cloth_model.h"
+#include "solver/base/cloth_solver.h"
+
+namespace nuno {
+
+// A buffer of a vec4 for each vertex that kernels write as a storage block and read as a buffer texture.
+struct VertexBuffer
+{
+    explicit VertexBuffer(std::uint32_t vertex_count);
+    Buffer buffer;
+    BufferTexture texture;
+};
+
+class GpuSolver : public ClothSolver
+{
+  public:
+    explicit GpuSolver(const ClothModel& model);
+
+    void upload(const ClothState& state) override;
+    void upload_velocities(std::span<const glm::vec4> velocities) override;
+    void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
+    void finish() override;
+    void download_positions(std::span<glm::vec4> positions) override;
+    void download_velocities(std::span<glm::vec4> velocities) override;
+    std::optional<std::uint32_t> first_not_finite() override;
+    std::uint32_t position_buffer() const override { return positions_[current_].buffer.id(); }
+
+  protected:
+    // Uploads the parameters and binds them; to call once a step, before kernels run.
+    void bind_params(const SimParams& params);
+    // Binds one side as what kernels read (positions and velocities) and the other as what they write.
+    void bind_state(int from, int to) const;
+    // One invocation a vertex.
+    void dispatch() const;
+
+    const std::uint32_t vertex_count_;
+    std::array<VertexBuffer, 2> positions_, velocities_;  // read from one, written to the other, in turns
+    int current_ = 0;
+
+  private:
+    Program finite_;
+    Buffer params_, first_bad_;
+    Readback readback_;
+};
+
+}  // namespace nuno

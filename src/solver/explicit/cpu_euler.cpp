@@ -1,0 +1,74 @@
+// Explicit and symplectic Euler on CPU threads.
+#include "solver/explicit/cpu_euler.h"
+
+namespace nuno {
+namespace {
+
+struct Substep
+{
+    ForceTerms forces;
+    BodyContacts bodies;
+    Lanes3 new_x, new_v;
+    float h;
+    Method method;
+};
+
+// One substep of the vertices of blocks.begin .. blocks.end.
+NUNO_SIMD_CLONES void substep_blocks(const Substep& s, Range blocks)
+{
+    for (int block = blocks.begin; block < blocks.end; ++block) {
+        const std::int32_t i = block * kLanes;
+        const WideVec3 x = load(s.forces.x, i), v = load(s.forces.v, i);
+        const WideVec3 a = acceleration_of_block(s.forces, block, x, v);
+        const formulas_wide::Motion free = s.method == Method::explicit_euler
+                                               ? formulas_wide::explicit_euler(x, v, a, WideFloat(s.h))
+                                               : formulas_wide::symplectic_euler(x, v, a, WideFloat(s.h));
+        const formulas_wide::Motion held = push_out_of_bodies<kLanes>(s.bodies, x, free).motion;
+        const WideFloat inverse_mass(s.forces.inverse_mass + i);
+        store(s.new_x, i, select_positive(inverse_mass, held.position, free.position));
+        store(s.new_v, i, select_positive(inverse_mass, held.velocity, free.velocity));
+    }
+}
+
+}  // namespace
+
+CpuEuler::CpuEuler(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool)
+    : CpuSolver(model, pool), method_(params.method), forces_(model), bodies_(bodies, model)
+{
+}
+
+std::string_view CpuEuler::name() const
+{
+    return method_ == Method::explicit_euler ? "explicit_euler on cpu" : "symplectic_euler on cpu";
+}
+
+void CpuEuler::step(const StepInput& input)
+{
+    forces_.refresh(input.params);
+    bodies_.plan(input);
+    run_blocks([&](Range blocks, SpinBarrier* barrier) { step_part(input, blocks, barrier); });
+    current_ = (current_ + input.substep_count) % 2;
+}
+
+void CpuEuler::step_part(const StepInput& input, Range blocks, SpinBarrier* barrier)
+{
+    const SimParams& p = input.params;
+    Substep s{forces_.terms(p, input.start_time_s), bodies_.contacts(0, p), {}, {}, substep_s(p), method_};
+    s.forces.inverse_mass = inverse_mass_.first();
+    s.forces.area = area_.first();
+    for (int k = 0; k < input.substep_count; ++k) {
+        const int from = (current_ + k) % 2, to = 1 - from;
+        s.forces.set_time(p, input.start_time_s + k * double(s.h));
+        s.forces.x = positions_[from].lanes();
+        s.forces.v = velocities_[from].lanes();
+        s.new_x = positions_[to].lanes();
+        s.new_v = velocities_[to].lanes();
+        s.bodies.bodies = bodies_.steps().bodies(k);
+        run_face_pass(s.forces, blocks, barrier);
+        substep_blocks(s, blocks);
+        bodies_.place_pins(k, blocks, s.new_x, s.new_v);
+        if (barrier) barrier->arrive_and_wait();
+    }
+}
+
+}  // namespace nuno

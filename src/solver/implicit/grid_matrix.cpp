@@ -1,0 +1,142 @@
+// Products with the matrix of a grid sheet.
+#include "solver/implicit/grid_matrix.h"
+
+namespace nuno {
+namespace {
+
+constexpr float kJacobiWeight = 0.7f;
+
+// What a pair adds to A p at one of its ends: H (p - p_other). `from` is its first end, `k` the pair's place.
+NUNO_WIDE_INLINE RowVec pair_force(const GridMatrix& a, int pair, std::size_t k, const RowVec& d, const RowVec& dp)
+{
+    const RowLanes s = row_load(a.along[pair].get() + k) * row_dot(d, dp);
+    return s * d + row_load(a.across[pair].get() + k) * dp;
+}
+
+NUNO_WIDE_INLINE RowVec product_at(const GridMatrix& a, const Field3& p, std::size_t i)
+{
+    const RowVec x = row_load(a.x, i), own = row_load(p, i);
+    RowVec sum = row_load(a.mass.get() + i) * own;
+    const auto stride = std::size_t(a.rows.stride);
+    const std::size_t steps[kPairCount] = {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+#pragma GCC unroll 6
+    for (int pair = 0; pair < kPairCount; ++pair) {
+        const std::size_t next = i + steps[pair], back = i - steps[pair];
+        sum = sum + pair_force(a, pair, i, x - row_load(a.x, next), own - row_load(p, next));
+        sum = sum + pair_force(a, pair, back, x - row_load(a.x, back), own - row_load(p, back));
+    }
+    return sum;
+}
+
+NUNO_WIDE_INLINE RowVec where_free(const GridMatrix& a, std::size_t i, const RowVec& v)
+{
+    const auto free = row_load(a.mass.get() + i) > RowLanes{};
+    return {free ? v.x : RowLanes{}, free ? v.y : RowLanes{}, free ? v.z : RowLanes{}};
+}
+
+NUNO_SIMD_CLONES double apply_row(const GridMatrix& a, const Field3& p, Field3& q, int j)
+{
+    RowLanes sum{};
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        const RowVec y = where_free(a, place, product_at(a, p, place));
+        row_store(q, place, y);
+        sum += row_dot(row_load(p, place), y);
+    }
+    return row_sum(sum);
+}
+
+NUNO_SIMD_CLONES void residual_row(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, int j)
+{
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        row_store(t, place, where_free(a, place, row_load(r, place) - product_at(a, x, place)));
+    }
+}
+
+NUNO_SIMD_CLONES void smooth_row(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, int j)
+{
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        const RowVec defect = row_load(r, place) - product_at(a, x, place);
+        const RowVec step = row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
+        row_store(z, place, row_load(x, place) + step);
+    }
+}
+
+NUNO_SIMD_CLONES void smooth_row_from_zero(const GridMatrix& a, const Field3& r, Field3& z, int j)
+{
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        row_store(z, place, row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
+    }
+}
+
+NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, int pair, std::size_t k, const RowVec& d)
+{
+    const RowLanes across = row_load(a.across[pair].get() + k);
+    return row_outer(d, row_load(a.along[pair].get() + k), row_max(across, -across));
+}
+
+NUNO_SIMD_CLONES void invert_row(GridMatrix& a, int j)
+{
+    const auto stride = std::size_t(a.rows.stride);
+    const std::size_t steps[kPairCount] = {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        const RowVec x = row_load(a.x, place);
+        const RowLanes mass = row_load(a.mass.get() + place), none{};
+        RowMatrix sum{mass, none, none, mass, none, mass};
+#pragma GCC unroll 6
+        for (int pair = 0; pair < kPairCount; ++pair) {
+            const std::size_t next = place + steps[pair], back = place - steps[pair];
+            sum = sum + pair_block(a, pair, place, x - row_load(a.x, next));
+            sum = sum + pair_block(a, pair, back, x - row_load(a.x, back));
+        }
+        row_store(a.inverse_diagonal, place, row_inverse(sum, mass));
+    }
+}
+
+template <typename Row>
+void for_rows(const GridMatrix& a, const Team& team, Row row)
+{
+    const Range part = team.part(a.rows.rows);
+    for (int j = part.begin; j < part.end; ++j) row(j);
+}
+
+}  // namespace
+
+GridMatrix::GridMatrix(const SheetRows& rows_)
+    : rows(rows_), mass(rows.size()), x(rows.size()), inverse_diagonal(rows.size())
+{
+    for (Field& field : along) field = Field(rows.size());
+    for (Field& field : across) field = Field(rows.size());
+    for (Field& field : plate) field = Field(rows.size());
+}
+
+void invert_diagonal(GridMatrix& a, const Team& team)
+{
+    for_rows(a, team, [&](int j) { invert_row(a, j); });
+}
+
+void apply(const GridMatrix& a, const Field3& p, Field3& q, std::span<double> row_sums, const Team& team)
+{
+    for_rows(a, team, [&](int j) { row_sums[std::size_t(j)] = apply_row(a, p, q, j); });
+}
+
+void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, const Team& team)
+{
+    for_rows(a, team, [&](int j) { residual_row(a, x, r, t, j); });
+}
+
+void smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, const Team& team)
+{
+    for_rows(a, team, [&](int j) { smooth_row(a, x, r, z, j); });
+}
+
+void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, const Team& team)
+{
+    for_rows(a, team, [&](int j) { smooth_row_from_zero(a, r, z, j); });
+}
+
+}  // namespace nuno

@@ -1,0 +1,53 @@
+// The matrix of one linear solve on a grid sheet: mass, dampers and springs at the positions of the moment.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "solver/implicit/sheet_rows.h"
+
+namespace nuno {
+
+// Pairs of a grid, each met once: right, below, the two diagonals below, two to the right, two below.
+constexpr int kPairCount = 6;
+
+struct PairOffset
+{
+    int i, j;
+};
+constexpr std::array<PairOffset, kPairCount> kPairOffsets{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
+
+// A = diag(mass) + sum over pairs of H = along d d^T + across I, d = x_b - x_a: the energy
+// 1/2 sum mass |p|^2 + 1/2 sum |p_a - p_b|^2_H. Rows and columns of fixed vertices (mass 0) are left out.
+struct GridMatrix
+{
+    explicit GridMatrix(const SheetRows& rows);
+
+    SheetRows rows;
+    Field mass;                            // [kg/s2], what the vertex itself resists with; 0: fixed
+    Field3 x;                              // [m], where the springs were linearised
+    std::array<Field, kPairCount> along;   // [N/m3]
+    std::array<Field, kPairCount> across;  // [N/m], the plate's share in it
+    std::array<Field, kPairCount> plate;   // [N/m], of either sign
+    bool has_plate = false;
+    Field6 inverse_diagonal;         // of the 3x3 blocks, with |across|, so that damped Jacobi converges
+    std::vector<std::size_t> fixed;  // places of fixed vertices, ascending
+};
+
+// Fills inverse_diagonal.
+void invert_diagonal(GridMatrix& a, const Team& team);
+
+// q = A p, and p . q of each row.
+void apply(const GridMatrix& a, const Field3& p, Field3& q, std::span<double> row_sums, const Team& team);
+
+// t = r - A x.
+void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, const Team& team);
+
+// z = x + w D^-1 (r - A x), one step of damped Jacobi.
+void smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, const Team& team);
+
+// z = w D^-1 r, the same from 0.
+void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, const Team& team);
+
+}  // namespace nuno

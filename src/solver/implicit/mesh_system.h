@@ -1,0 +1,52 @@
+// A sheet that is no grid as the implicit methods see it: each vertex gathers from its neighbours. Where the sheet is
+// flat at rest, a grid laid over it is the next coarser level; elsewhere the preconditioner is block Jacobi.
+#pragma once
+
+#include <optional>
+
+#include "model/cloth_model.h"
+#include "solver/implicit/mesh_overlay.h"
+#include "solver/implicit/sheet_system.h"
+
+namespace nuno {
+
+// Neighbours of every vertex, slot by slot: entry slot * size + place. A slot without a spring names the vertex itself
+// and has no stiffness.
+struct MeshPairs
+{
+    std::size_t size = 0;
+    std::vector<int> slots_of_row;
+    std::vector<std::uint32_t> neighbours;  // places
+    std::vector<std::uint32_t> springs;     // of the model; SpringTable::kNoSpring
+    std::vector<float> axial, rest_length, plate;
+    std::vector<float> along, across, pull;  // as GridMatrix and GridSheet have them, at the last assemble
+};
+
+class MeshSystem final : public SheetSystem
+{
+  public:
+    MeshSystem(const ClothModel& model, const Sheet& sheet);
+
+    const SheetRows& rows() const override { return rows_; }
+    std::size_t place(std::uint32_t vertex) const override;
+    void set_springs(const ClothModel& model, std::span<const SpringWeight> weights) override;
+    void assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
+                  std::span<double> row_energy, const Team& team) override;
+    void step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
+                     std::span<double> row_energy, const Team& team) const override;
+    void apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const override;
+    void precondition(const Field3& r, Field3& z, Field3& t, const Team& team) override;
+
+    bool has_coarse_levels() const { return overlay_.has_value(); }
+
+  private:
+    std::uint32_t first_vertex_;
+    SheetRows rows_;
+    MeshPairs pairs_;
+    Field mass_;
+    Field3 x_;
+    Field6 inverse_diagonal_;
+    std::optional<MeshOverlay> overlay_;
+};
+
+}  // namespace nuno

@@ -1,0 +1,56 @@
+// What an implicit step needs of a sheet, however its vertices are arranged: forces, energy, and a linear system.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/spring_weights.h"
+#include "solver/implicit/sheet_rows.h"
+
+namespace nuno {
+
+// Where a sheet is and how fast it moves. x + x_low is the position, x_low what a float cannot hold of it: a rounded
+// position alone would stretch fine, stiff cloth by more than its weight does.
+struct SheetMotion
+{
+    SheetMotion() = default;
+    explicit SheetMotion(std::size_t size) : x(size), x_low(size), v(size) {}
+    Field3 x, x_low;  // [m]
+    Field3 v;         // [m/s]
+};
+
+// One implicit stage: find v with x = x_bar + tau v and m (v - w) / tau = force(x, v).
+struct StageTerms
+{
+    float tau;                // [s]
+    float stiffness_damping;  // beta [s]
+};
+
+class SheetSystem
+{
+  public:
+    virtual ~SheetSystem() = default;
+    virtual const SheetRows& rows() const = 0;
+    // Place of a vertex of the model in the fields.
+    virtual std::size_t place(std::uint32_t vertex) const = 0;
+
+    virtual void set_springs(const ClothModel& model, std::span<const SpringWeight> weights) = 0;
+
+    // All that follows is called by every thread of the team; results are there after the team has waited.
+
+    // Forces of springs and their dampers at `at`, their energy of each row (as step_energy counts it), and the matrix
+    //   A = diag(mass) + (1 + damping / tau) K, K without what would make it indefinite.
+    // mass [kg/s2]; 0 holds a vertex.
+    virtual void assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
+                          std::span<double> row_energy, const Team& team) = 0;
+    // Energy of the springs at `to`, and what their dampers take up in a stage, with the directions of `from`.
+    virtual void step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
+                             std::span<double> row_energy, const Team& team) const = 0;
+    // q = A p, and p . q of each row.
+    virtual void apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const = 0;
+    // z = B r, B close to the inverse of A; t is scratch.
+    virtual void precondition(const Field3& r, Field3& z, Field3& t, const Team& team) = 0;
+};
+
+}  // namespace nuno

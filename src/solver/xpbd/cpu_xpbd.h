@@ -1,0 +1,43 @@
+// Small-step XPBD on CPU threads (M. Macklin et al., Small steps in physics simulation, 2019): each substep moves every
+// vertex freely, then projects every spring in one fixed order and once more in the exact reverse of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "solver/xpbd/xpbd_air.h"
+#include "solver/xpbd/xpbd_part.h"
+
+namespace nuno {
+
+class CpuXpbd final : public ClothSolver
+{
+  public:
+    // `model`, `bodies` and `pool` must outlive it. params.sweep: rows needs grid sheets, else Error. `lanes` of
+    // vectors, 16, 8 or 4, at most what the machine has, changes nothing but speed; 0: what the machine has.
+    CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool, int lanes = 0);
+
+    std::string_view name() const override { return "xpbd on cpu"; }
+    void upload(const ClothState& state) override;
+    void upload_velocities(std::span<const glm::vec4> velocities) override;
+    void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
+    void step(const StepInput& input) override;
+    void finish() override {}
+    void download_positions(std::span<glm::vec4> positions) override;
+    void download_velocities(std::span<glm::vec4> velocities) override;
+    std::optional<std::uint32_t> first_not_finite() override;
+    std::uint32_t position_buffer() const override { return 0; }
+
+  private:
+    const ClothModel& model_;
+    ThreadPool& pool_;
+    CpuBodies bodies_;
+    std::vector<std::unique_ptr<XpbdPart>> parts_;  // one a sheet
+    std::vector<SpringWeight> weights_;
+    std::optional<SimParams> weights_for_;
+    std::optional<XpbdAir> air_;
+    std::span<const glm::vec3> accelerations_;
+    std::vector<glm::vec4> positions_, velocities_;  // for a while
+};
+
+}  // namespace nuno

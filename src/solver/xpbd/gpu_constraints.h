@@ -1,0 +1,65 @@
+// The coloured constraints of xpbd in compute shaders, of all sheets together: one dispatch a colour.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/buffer_texture.h"
+#include "gl/program.h"
+#include "solver/xpbd/mesh_constraints.h"
+
+namespace nuno {
+
+class GpuConstraints
+{
+  public:
+    // `model` must outlive it.
+    explicit GpuConstraints(const ClothModel& model);
+
+    // Numbers that the constraints are made of, as MeshConstraints has them.
+    struct Numbers
+    {
+        float step;  // [s]
+        int projections;
+        float limit;  // 0: none
+    };
+    // Makes the constraints anew for weights, one a spring of the model, and inverse masses, one a vertex. Error where
+    // they do not fit into what this device reads.
+    void choose(std::span<const SpringWeight> weights, const Numbers& numbers, std::span<const float> inverse_masses);
+    // The same constraints with other numbers; `limit` may change, but not from or to none.
+    void set_numbers(const Numbers& numbers, std::span<const float> inverse_masses);
+
+    // `pairs` times: every colour once, and once more in the exact reverse, in the positions bound as read and as
+    // written. A cloth without plates that fits into one work group is swept by it in one dispatch.
+    void sweep(int pairs) const;
+
+  private:
+    // Constraints of one kind in the order of their colours.
+    struct Kind
+    {
+        Kind(GLenum ends_format) : ends(ends_format), numbers(GL_RGBA32F), shares(GL_R32F) {}
+        std::vector<std::int32_t> first;  // of each colour, and one past the last
+        Buffer end_buffer, number_buffer, share_buffer;
+        BufferTexture ends, numbers, shares;
+        Program program;
+    };
+    void upload_springs(bool with_ends);
+    void upload_plates(bool with_ends);
+    void project(const Kind& kind, std::size_t colour) const;
+    void sweep_pair() const;
+    void sweep_small(int pairs) const;
+    bool is_small() const;
+
+    const ClothModel& model_;
+    std::vector<std::unique_ptr<MeshConstraints>> sheets_;
+    std::vector<std::vector<std::int32_t>> vertices_;  // of each sheet, by place, -1 past the last
+    bool limited_ = false;
+    Kind springs_, plates_;
+    Program small_;
+    Buffer start_buffer_;
+    BufferTexture starts_;
+};
+
+}  // namespace nuno

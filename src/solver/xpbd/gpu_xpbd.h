@@ -1,0 +1,56 @@
+// Small-step XPBD in compute shaders, colour by colour or all springs at once: bit for bit what the cpu does with the
+// same sweep.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/base/gpu_bodies.h"
+#include "solver/base/gpu_forces.h"
+#include "solver/base/gpu_solver.h"
+#include "solver/base/gpu_tethers.h"
+#include "solver/base/pin_tethers.h"
+#include "solver/xpbd/gpu_constraints.h"
+#include "solver/xpbd/gpu_gather.h"
+
+namespace nuno {
+
+class GpuXpbd final : public GpuSolver
+{
+  public:
+    // Error where params.sweep is one that only the cpu has, or where constraints or bodies do not fit into what this
+    // device reads.
+    GpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params);
+
+    std::string_view name() const override { return "xpbd on gpu"; }
+    void upload(const ClothState& state) override;
+    void upload_velocities(std::span<const glm::vec4> velocities) override;
+    void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
+    void step(const StepInput& input) override;
+
+  private:
+    void refresh(const SimParams& params);
+    void refresh_springs(const SimParams& params);
+    void refresh_constraints(const SimParams& params, bool others);
+    void compile();
+    // Makes the motion before the present one what assumed_last has: of all vertices, or of those whose velocity is not
+    // that in given_, which they take.
+    void forget_last(bool all);
+    void run_substep(const StepInput& input, int k);
+
+    const ClothModel& model_;
+    GpuForces forces_;
+    GpuBodies bodies_;
+    PinTethers tethers_;
+    GpuTethers gpu_tethers_;
+    std::optional<GpuConstraints> constraints_;  // in colours
+    std::optional<GpuGather> gather_;            // all springs at once; one of the two is there
+    std::vector<float> inverse_masses_;          // one a vertex
+    std::optional<SimParams> made_for_;
+    bool masses_changed_ = true, last_is_known_ = false;
+    VertexBuffer predicted_;
+    Buffer given_;  // velocities
+    Program predict_, finish_, forget_;
+};
+
+}  // namespace nuno

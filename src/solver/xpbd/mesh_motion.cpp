@@ -1,0 +1,104 @@
+// Start and end of a substep of any mesh.
+#include "solver/xpbd/mesh_motion.h"
+
+#include "solver/xpbd/by_lanes.h"
+#include "solver/xpbd/vec4_lanes.h"
+
+namespace nuno {
+namespace {
+
+template <int kLaneCount>
+struct Kernel
+{
+    using Real = Wide<kLaneCount>;
+    using Vec3 = WideVec<kLaneCount>;
+    using Formulas = WideFormulas<kLaneCount>;
+    using Motion = typename Formulas::Motion;
+    using Positions = Vec4Lanes<kLaneCount>;
+
+    // Where the vertices of a vector are among floats.
+    struct Places
+    {
+        std::uint32_t index[kLaneCount];
+        NUNO_WIDE_INLINE explicit Places(std::uint32_t first)
+        {
+            for (int lane = 0; lane < kLaneCount; ++lane) index[lane] = 4 * (first + std::uint32_t(lane));
+        }
+    };
+
+    static NUNO_WIDE_INLINE Vec3 acceleration(const MeshMotion& s, const Places& at)
+    {
+        const Vec3 a{Real(s.common[0]), Real(s.common[1]), Real(s.common[2])};
+        return s.acceleration ? a + Positions::load(s.acceleration, at.index).xyz : a;
+    }
+
+    static NUNO_WIDE_INLINE void predict(const MeshMotion& s, std::uint32_t first)
+    {
+        const Places at(first);
+        WideVec4<kLaneCount> x = Positions::load(s.positions, at.index), v = Positions::load(s.velocities, at.index);
+        const Motion last = Formulas::motion(Positions::load(s.last_positions, at.index).xyz,
+                                             Positions::load(s.last_velocities, at.index).xyz);
+        Motion m = Formulas::predicted_motion(Formulas::motion(x.xyz, v.xyz), last, acceleration(s, at), Real(s.keep),
+                                              Real(s.step));
+        Positions::store(s.last_positions, at.index, x);
+        Positions::store(s.last_velocities, at.index, v);
+        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, x.xyz, m).motion;
+        const Vec3 held = x.xyz;
+        x.xyz = m.position = select_positive(x.w, m.position, held);
+        v.xyz = select_positive(x.w, m.velocity, v.xyz);
+        Positions::store(s.velocities, at.index, v);
+        Positions::store(s.predicted, at.index, x);
+        for (const MeshTethers& tethers : s.tethers) {
+            const Vec3 anchor = Positions::load(s.anchors, tethers.anchor_of.data() + first).xyz;
+            m.position = Formulas::tethered(m.position, anchor, Real(tethers.lengths.data() + first));
+        }
+        x.xyz = select_positive(x.w, m.position, held);
+        Positions::store(s.positions, at.index, x);
+    }
+
+    static NUNO_WIDE_INLINE void finish(const MeshMotion& s, std::uint32_t first)
+    {
+        const Places at(first);
+        WideVec4<kLaneCount> x = Positions::load(s.positions, at.index), v = Positions::load(s.velocities, at.index);
+        const Vec3 end =
+            Formulas::corrected_velocity(v.xyz, Positions::load(s.predicted, at.index).xyz, x.xyz, Real(s.per_step));
+        Motion m = Formulas::motion(x.xyz, end);
+        if (s.bodies) {
+            WideVec4<kLaneCount> last_x = Positions::load(s.last_positions, at.index);
+            WideVec4<kLaneCount> last_v = Positions::load(s.last_velocities, at.index);
+            const auto contact = push_out_of_bodies<kLaneCount>(*s.bodies, last_x.xyz, m);
+            m = contact.motion;
+            x.xyz = select_positive(x.w, m.position, x.xyz);
+            Positions::store(s.positions, at.index, x);
+            // After a contact the motion before it says nothing about the one to come.
+            const Vec3 lost = m.velocity - end;
+            const Real touched = Formulas::dot_product(lost, lost);
+            const Motion last = Formulas::assumed_last(m, acceleration(s, at), Real(s.h));
+            last_x.xyz = select_positive(touched, last.position, last_x.xyz);
+            last_v.xyz = select_positive(touched, last.velocity, last_v.xyz);
+            Positions::store(s.last_positions, at.index, last_x);
+            Positions::store(s.last_velocities, at.index, last_v);
+        }
+        v.xyz = select_positive(x.w, m.velocity, v.xyz);
+        Positions::store(s.velocities, at.index, v);
+    }
+
+    static NUNO_WIDE_INLINE void blocks(const MeshMotion& s, Range range, bool at_end)
+    {
+        for (int first = range.begin * kMeshBlock; first < range.end * kMeshBlock; first += kLaneCount)
+            if (at_end)
+                finish(s, static_cast<std::uint32_t>(first));
+            else
+                predict(s, static_cast<std::uint32_t>(first));
+    }
+};
+
+NUNO_BY_LANES(predict, (const MeshMotion& motion, Range blocks), Kernel<kLaneCount>::blocks(motion, blocks, false))
+NUNO_BY_LANES(finish, (const MeshMotion& motion, Range blocks), Kernel<kLaneCount>::blocks(motion, blocks, true))
+
+}  // namespace
+
+void predict_blocks(const MeshMotion& motion, Range blocks) { NUNO_PICK_LANES(predict, motion.lanes)(motion, blocks); }
+void finish_blocks(const MeshMotion& motion, Range blocks) { NUNO_PICK_LANES(finish, motion.lanes)(motion, blocks); }
+
+}  // namespace nuno

@@ -1,0 +1,39 @@
+// Start and end of a substep of any mesh: motion without springs, tethers and bodies; then the velocity.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "solver/base/cpu_bodies.h"
+
+namespace nuno {
+
+// Vertices in blocks of this many.
+inline constexpr int kMeshBlock = 16;
+
+// Tethers of every vertex in one slot; anchor_of is where its anchor begins among MeshMotion::anchors.
+struct MeshTethers
+{
+    std::vector<std::uint32_t> anchor_of;
+    std::vector<float> lengths;  // [m]; no tether: past all others
+};
+
+// Arrays of four floats a vertex; the fourth of a position is its inverse mass, 0 where held.
+struct MeshMotion
+{
+    float *positions, *velocities;
+    float *last_positions, *last_velocities;  // one substep before
+    float* predicted;                         // positions before tethers and springs
+    const float* acceleration;                // [m/s2] beside `common`; null: none
+    std::array<float, 3> common;              // [m/s2] of every vertex
+    float h, step, per_step, keep;            // shaders/shared/xpbd.h
+    std::span<const MeshTethers> tethers;
+    const float* anchors;
+    const BodyContacts* bodies;  // null: none
+    int lanes;                   // 16, 8 or 4; the result is the same
+};
+
+void predict_blocks(const MeshMotion& motion, Range blocks);
+void finish_blocks(const MeshMotion& motion, Range blocks);
+
+}  // namespace nuno

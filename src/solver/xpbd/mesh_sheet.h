@@ -1,0 +1,53 @@
+// A sheet of any mesh under small-step XPBD: its springs colour by colour, then in the exact reverse (why: see
+// solver/xpbd/strip_sheet.h).
+#pragma once
+
+#include <optional>
+
+#include "model/tethers.h"
+#include "solver/xpbd/mesh_constraints.h"
+#include "solver/xpbd/mesh_motion.h"
+#include "solver/xpbd/xpbd_part.h"
+
+namespace nuno {
+
+class MeshSheet final : public XpbdPart
+{
+  public:
+    // `model` and `sheet` must outlive it; `lanes` as in MeshMotion.
+    MeshSheet(const ClothModel& model, const Sheet& sheet, int lanes);
+
+    void upload(const ClothState& state) override;
+    void upload_velocities(std::span<const glm::vec4> velocities) override;
+    void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
+    void step(const XpbdStep& step) override;
+    void download_positions(std::span<glm::vec4> positions) const override;
+    void download_velocities(std::span<glm::vec4> velocities) const override;
+
+  private:
+    using Vec4s = std::vector<glm::vec4>;
+
+    void prepare(const XpbdStep& step);
+    void make_tethers(const SimParams& params);
+    void move_pins(const XpbdStep& step, int substep);
+    void run_thread(const XpbdStep& step, MeshMotion motion, int thread, SpinBarrier* barrier, int thread_count);
+    void sweep_pair(int thread, SpinBarrier* barrier, int thread_count);
+    void forget_last(std::size_t place);
+    std::size_t place(std::uint32_t vertex) const { return constraints_.places()[vertex - sheet_.first_vertex]; }
+
+    const ClothModel& model_;
+    const Sheet& sheet_;
+    const int lanes_;
+    MeshConstraints constraints_;
+    std::optional<SheetGeodesics> geodesics_;  // made where tethers first need it
+
+    // By place, as MeshConstraints numbers the vertices.
+    Vec4s positions_, velocities_, last_positions_, last_velocities_, predicted_, accelerations_, anchors_;
+    std::vector<MeshTethers> tethers_;
+    std::vector<std::uint32_t> anchor_places_;
+    bool masses_changed_ = true, pins_changed_ = true;
+    std::optional<SimParams> made_for_;  // the parameters of springs and tethers
+    bool last_is_known_ = false;         // false: the next substep is the first
+};
+
+}  // namespace nuno

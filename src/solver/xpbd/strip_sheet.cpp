@@ -1,0 +1,313 @@
+// Substeps of a sheet in strips.
+#include "solver/xpbd/strip_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/formulas.h"
+
+namespace nuno {
+namespace {
+
+// Rows that a thread takes through prediction and sweep while they are in its cache.
+constexpr int kChunkRows = 8;
+// Blocks of rows sweep side by side; the rows between two of them wait for both. Their number depends on the sheet
+// alone.
+constexpr int kLeastBlockRows = 24, kMostBlocks = 8;
+// Springs of a row reach this many rows further.
+constexpr int kReachRows = 2;
+// Masses that differ by less than this share are rounding of the mesh.
+constexpr float kAlikeMass = 5e-4f;
+
+int block_count_of(const StripLayout& layout)
+{
+    const int count = std::min(layout.rows / kLeastBlockRows, kMostBlocks);
+    return std::max(count / 2 * 2, 1);
+}
+
+// Rows whose springs stay within the block: all but the last two, which are a seam; the last block has no seam.
+Range inner_rows(Range rows, bool last) { return {rows.begin, last ? rows.end : rows.end - kReachRows}; }
+
+}  // namespace
+
+StripSheet::StripSheet(const ClothModel& model, const Sheet& sheet, int lanes)
+    : model_(model),
+      sheet_(sheet),
+      layout_(make_strip_layout(sheet.columns, sheet.rows)),
+      lanes_(lanes),
+      block_count_(block_count_of(layout_)),
+      places_(sheet.vertex_count),
+      lane_of_(sheet.vertex_count),
+      positions_(layout_.vec3_floats()),
+      velocities_(layout_.vec3_floats()),
+      last_positions_(layout_.vec3_floats()),
+      last_velocities_(layout_.vec3_floats()),
+      predicted_(layout_.vec3_floats()),
+      mobility_(layout_.lane_floats()),
+      sticking_(layout_.lane_floats()),
+      inverse_masses_(sheet.vertex_count)
+{
+    for (int j = 0; j < layout_.rows; ++j)
+        for (int i = 0; i < layout_.columns; ++i) {
+            const std::uint32_t v = layout_.vertex(sheet, i, j) - sheet.first_vertex;
+            places_[v] = layout_.vec3(i, j);
+            lane_of_[v] = layout_.lane(i, j);
+        }
+    for (std::size_t n = 0; n < model.handle_pins.size(); ++n) {
+        const std::uint32_t v = model.handle_pins[n].vertex - sheet.first_vertex;
+        if (v < sheet.vertex_count) moving_pins_.push_back({n, places_[v]});
+    }
+}
+
+void StripSheet::put(StripLanes& to, std::uint32_t vertex, const glm::vec3& a)
+{
+    float* const place = to.data() + places_[vertex - sheet_.first_vertex];
+    for (int axis = 0; axis < 3; ++axis) place[axis * kStrips] = a[axis];
+}
+
+glm::vec3 StripSheet::at(const StripLanes& from, std::uint32_t vertex) const
+{
+    const float* const place = from.data() + places_[vertex - sheet_.first_vertex];
+    return {place[0], place[kStrips], place[2 * kStrips]};
+}
+
+// For the next substep to begin at this vertex without a past.
+void StripSheet::forget_last(std::uint32_t vertex)
+{
+    if (!made_for_) return;
+    const SimParams& p = *made_for_;
+    const formulas::Motion now = formulas::motion(at(positions_, vertex), at(velocities_, vertex));
+    const formulas::Motion last = formulas::assumed_last(now, {p.gravity_x, p.gravity_y, p.gravity_z}, substep_s(p));
+    put(last_positions_, vertex, last.position);
+    put(last_velocities_, vertex, last.velocity);
+}
+
+void StripSheet::upload(const ClothState& state)
+{
+    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
+        const std::uint32_t vertex = sheet_.first_vertex + v;
+        put(positions_, vertex, glm::vec3(state.positions[vertex]));
+        put(velocities_, vertex, glm::vec3(state.velocities[vertex]));
+        inverse_masses_[v] = state.positions[vertex].w;
+    }
+    std::fill(sticking_.begin(), sticking_.end(), 0.0f);
+    // Padding is a flat cloth of its own, like the sheet's first cell.
+    const auto corner = [&](int i, int j) { return model_.rest_positions[layout_.vertex(sheet_, i, j)]; };
+    const glm::vec3 origin = corner(0, 0), across = corner(1, 0) - origin, down = corner(0, 1) - origin;
+    for (int j = 0; j < layout_.rows; ++j)
+        for (int i = layout_.columns; i < layout_.width * kStrips; ++i) {
+            const glm::vec3 x = origin + float(i) * across + float(j) * down;
+            for (int axis = 0; axis < 3; ++axis) positions_[layout_.vec3(i, j) + std::size_t(axis * kStrips)] = x[axis];
+        }
+    masses_changed_ = pins_changed_ = true;
+    last_is_known_ = false;
+}
+
+void StripSheet::upload_velocities(std::span<const glm::vec4> velocities)
+{
+    for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v) {
+        const glm::vec3 velocity(velocities[v]);
+        if (velocity == at(velocities_, v)) continue;
+        put(velocities_, v, velocity);
+        forget_last(v);
+    }
+}
+
+void StripSheet::set_vertex(std::uint32_t vertex, glm::vec4 position)
+{
+    if (vertex - sheet_.first_vertex >= sheet_.vertex_count) return;
+    put(positions_, vertex, glm::vec3(position));
+    put(velocities_, vertex, glm::vec3(0));
+    forget_last(vertex);
+    float& inverse_mass = inverse_masses_[vertex - sheet_.first_vertex];
+    masses_changed_ = masses_changed_ || inverse_mass != position.w;
+    pins_changed_ = pins_changed_ || (inverse_mass == 0) != (position.w == 0);
+    inverse_mass = position.w;
+}
+
+void StripSheet::make_tethers(const SimParams& params)
+{
+    tethers_.clear();
+    if (params.tethers == Tethers::none) return;
+    if (!geodesics_) geodesics_.emplace(model_, sheet_);
+    std::vector<std::uint8_t> held(model_.vertex_count());
+    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) held[sheet_.first_vertex + v] = inverse_masses_[v] == 0;
+    const std::vector<Tether> tethers = geodesics_->pin_tethers(held);
+    for (int slot = 0; slot < kTethersPerVertex; ++slot)
+        tethers_.add(layout_, sheet_, std::span(tethers).subspan(std::size_t(slot) * sheet_.vertex_count),
+                     1 + params.tether_stretch);
+}
+
+void StripSheet::prepare(const XpbdStep& step)
+{
+    const SimParams& p = step.input.params;
+    const bool weights_changed = step.weights_changed || !made_for_;
+    if (weights_changed) stiffnesses_ = strip_stiffnesses(model_, sheet_, layout_, step.weights);
+    if (masses_changed_) {
+        std::vector<float> free;
+        std::copy_if(inverse_masses_.begin(), inverse_masses_.end(), std::back_inserter(free),
+                     [](float w) { return w > 0; });
+        const auto middle = free.begin() + std::ptrdiff_t(free.size() / 2);
+        std::nth_element(free.begin(), middle, free.end());
+        inverse_mass_ = free.empty() ? 1.0f : *middle;
+        for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
+            const float mobility = inverse_masses_[v] / inverse_mass_;
+            mobility_[lane_of_[v]] = std::abs(mobility - 1) < kAlikeMass ? 1.0f : mobility;
+        }
+    }
+    const auto differs = [&](auto member) { return !made_for_ || (*made_for_).*member != p.*member; };
+    if (weights_changed || masses_changed_ || differs(&SimParams::substeps) || differs(&SimParams::frame_rate) ||
+        differs(&SimParams::iterations) || differs(&SimParams::strain_limit))
+        shares_.make(layout_, mobility_.data(), inverse_mass_, stiffnesses_, SubstepTimes(p).step,
+                     2 * std::max(p.iterations, 1), p.strain_limit);
+    if (differs(&SimParams::substeps) || differs(&SimParams::frame_rate)) last_is_known_ = false;
+    if (pins_changed_ || differs(&SimParams::tethers) || differs(&SimParams::tether_stretch)) make_tethers(p);
+    masses_changed_ = pins_changed_ = false;
+    made_for_ = p;
+    if (!last_is_known_)
+        for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) forget_last(sheet_.first_vertex + v);
+    last_is_known_ = true;
+    tethers_.follow(positions_.data());
+    if (p.tethers == Tethers::contacts && step.first_substep == 0 && step.bodies.steps().body_count() > 0) {
+        const GridSpacing spacing{layout_.columns, layout_.rows, stiffnesses_.springs[kAcross].rest_length,
+                                  stiffnesses_.springs[kDown].rest_length};
+        tethers_.set_contacts(layout_, spacing, sticking_.data(), positions_.data(), 1 + p.tether_stretch);
+    }
+}
+
+Range StripSheet::block_rows(int block) const
+{
+    return {layout_.rows * block / block_count_, layout_.rows * (block + 1) / block_count_};
+}
+
+void StripSheet::sweep_blocks(const Work& work, const StripMotion* motion, Range blocks) const
+{
+    for (int block = blocks.begin; block < blocks.end; ++block) {
+        const Range rows = block_rows(block), inner = inner_rows(rows, block + 1 == block_count_);
+        if (motion) predict_rows(*motion, {inner.end, rows.end});
+        for (int end = inner.end; end > inner.begin; end -= kChunkRows) {
+            const Range chunk{std::max(end - kChunkRows, inner.begin), end};
+            if (motion) predict_rows(*motion, chunk);
+            sweep_rows(work.sweep, chunk);
+        }
+    }
+}
+
+void StripSheet::sweep_blocks_back(const Work& work, const StripMotion* motion, Range blocks) const
+{
+    for (int block = blocks.begin; block < blocks.end; ++block) {
+        const Range rows = block_rows(block), inner = inner_rows(rows, block + 1 == block_count_);
+        for (int begin = inner.begin; begin < inner.end; begin += kChunkRows) {
+            const Range chunk{begin, std::min(begin + kChunkRows, inner.end)};
+            sweep_rows_back(work.sweep, chunk);
+            if (motion) finish_rows(*motion, chunk);
+        }
+        if (motion) finish_rows(*motion, {inner.end, rows.end});
+    }
+}
+
+void StripSheet::move_pins(const XpbdStep& step, int substep)
+{
+    const std::span<const PinStep> pins = step.bodies.steps().pin_steps(substep);
+    for (const MovingPin& pin : moving_pins_)
+        for (int axis = 0; axis < 3; ++axis) {
+            positions_[pin.place + std::size_t(axis * kStrips)] = pins[pin.number].position[axis];
+            velocities_[pin.place + std::size_t(axis * kStrips)] = pins[pin.number].velocity[axis];
+        }
+    tethers_.follow(positions_.data());
+}
+
+void StripSheet::run_thread(const Work& work, int thread, SpinBarrier* barrier)
+{
+    const SimParams& p = work.step.input.params;
+    const Range blocks = part_of(block_count_, 1, thread, work.thread_count);
+    const Range seams = part_of(block_count_ - 1, 1, thread, work.thread_count);
+    const auto wait = [&] {
+        if (barrier) barrier->arrive_and_wait();
+    };
+    BodyContacts contacts = work.step.bodies.contacts(0, p);
+    StripMotion motion = work.motion;
+    const int first = work.step.first_substep;
+    for (int k = first; k < first + work.step.substep_count; ++k) {
+        contacts.bodies = work.step.bodies.steps().bodies(k);
+        motion.bodies = contacts.bodies.empty() ? nullptr : &contacts;
+        const double time_s = work.step.input.start_time_s + k * double(motion.h);
+        motion.common = {p.gravity_x, p.gravity_y, p.gravity_z + wind_pressure(p, time_s) / p.areal_density};
+        if (!moving_pins_.empty()) {
+            wait();
+            if (thread == 0) move_pins(work.step, k);
+            wait();
+        }
+        for (int pair = 0; pair < work.sweep_pairs; ++pair) {
+            sweep_blocks(work, pair == 0 ? &motion : nullptr, blocks);
+            wait();
+            for (int seam = seams.begin; seam < seams.end; ++seam) {
+                const int end = block_rows(seam).end;
+                sweep_rows(work.sweep, {end - kReachRows, end});
+                sweep_rows_back(work.sweep, {end - kReachRows, end});
+            }
+            wait();
+            sweep_blocks_back(work, pair + 1 == work.sweep_pairs ? &motion : nullptr, blocks);
+        }
+    }
+}
+
+void StripSheet::step(const XpbdStep& step)
+{
+    prepare(step);
+    const SimParams& p = step.input.params;
+    const SubstepTimes times(p);
+    if (!step.accelerations.empty()) {
+        accelerations_.resize(layout_.vec3_floats());
+        for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v)
+            put(accelerations_, sheet_.first_vertex + v, step.accelerations[sheet_.first_vertex + v]);
+    }
+    const StripMotion motion{&layout_,
+                             positions_.data(),
+                             velocities_.data(),
+                             last_positions_.data(),
+                             last_velocities_.data(),
+                             predicted_.data(),
+                             mobility_.data(),
+                             step.accelerations.empty() ? nullptr : accelerations_.data(),
+                             {},
+                             times.h,
+                             times.step,
+                             times.per_step,
+                             times.keep,
+                             tethers_.slots(),
+                             tethers_.contacts(),
+                             tethers_.anchors(),
+                             nullptr,
+                             sticking_.data(),
+                             lanes_};
+    const StripSweep sweep{positions_.data(),   &layout_, shares_.terms, shares_.has_plate, p.strain_limit > 0,
+                           shares_.rows.data(), lanes_};
+    const int thread_count =
+        sheet_.vertex_count < kLeastVerticesForThreads ? 1 : std::min(step.pool.thread_count(), block_count_);
+    const Work work{step, motion, sweep, std::max(p.iterations, 1), thread_count};
+    if (thread_count == 1) return run_thread(work, 0, nullptr);
+    SpinBarrier barrier(thread_count);
+    step.pool.run([&](int thread) {
+        if (thread < thread_count) run_thread(work, thread, &barrier);
+    });
+}
+
+void StripSheet::download_positions(std::span<glm::vec4> positions) const
+{
+    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
+        const float* const at = positions_.data() + places_[v];
+        positions[sheet_.first_vertex + v] = {at[0], at[kStrips], at[2 * kStrips], inverse_masses_[v]};
+    }
+}
+
+void StripSheet::download_velocities(std::span<glm::vec4> velocities) const
+{
+    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
+        const float* const at = velocities_.data() + places_[v];
+        const std::uint32_t vertex = sheet_.first_vertex + v;
+        velocities[vertex] = {at[0], at[kStrips], at[2 * kStrips], model_.areas[vertex]};
+    }
+}
+
+}  // namespace nuno
