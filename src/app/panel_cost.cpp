@@ -64,13 +64,21 @@ void draw_stages(const StageHistory& stages)
             "A window that is slower than the cloth shows several simulated frames at once.");
 }
 
-// The substep beside the longest one that is stable where the cloth is now.
-std::string substep_text(const SimParams& params, const PresentStability& stability)
+std::string limit_text(double limit_s)
 {
-    const double limit_s = stability.largest_stable_substep_s;
-    const std::string used = fmt::format("{} of {:.3g} ms", params.substeps, 1000 * double(substep_s(params)));
-    if (limit_s >= kAnySubstep) return used + ", any is stable";
-    return used + (limit_s > 0 ? fmt::format(", stable to {:.3g} ms", 1000 * limit_s) : ", none is stable");
+    if (limit_s >= kAnySubstep) return "any is stable";
+    return limit_s > 0 ? fmt::format("stable to {:.3g} ms", 1000 * limit_s) : "none is stable";
+}
+
+// The substep beside the longest one that is stable where the cloth is now, and those of the explicit methods.
+void draw_stability(const SimParams& params, const PresentStability& stability)
+{
+    text_pair("substeps", fmt::format("{} of {:.3g} ms, {}", params.substeps, 1000 * double(substep_s(params)),
+                                      limit_text(stability.largest_stable_substep_s)));
+    text_pair("highest frequency", fmt::format("{:.4g} rad/s", stability.omega_max));
+    for (std::size_t i = 0; i < kExplicitMethods.size(); ++i)
+        text_pair(choice_names(Method{})[std::size_t(kExplicitMethods[i])].data(),
+                  limit_text(stability.stable_substep_s[i]));
 }
 
 void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog& log)
@@ -90,7 +98,7 @@ void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog
         text_pair("largest strain", fmt::format("{:.1f} %", 100 * d.max_strain));
         text_pair("highest speed", fmt::format("{:.2f} m/s", d.max_speed));
     }
-    if (meters.diagnostics && meters.stability) text_pair("substeps", substep_text(params, *meters.stability));
+    if (meters.diagnostics && meters.stability) draw_stability(params, *meters.stability);
     ImGui::EndTable();
 }
 

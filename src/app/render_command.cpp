@@ -150,6 +150,8 @@ int run_render(const RenderFlags& flags)
     }
     machine.check_gl();
     if (result.went_bad) throw *result.went_bad;
+    if (const auto warning = flags.common.quiet ? std::nullopt : simulation.present_warning())
+        fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
     return static_cast<int>(result.code);
 }

@@ -7,25 +7,21 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/spring_weights.h"
+#include "model/force_model.h"
 
 namespace nuno {
 namespace {
 
-// Spring energy 1/2 axial (|d| - l0)^2 + 1/2 plate |d|^2 summed, and the largest strain of a thread.
-void measure_springs(const ClothModel& model, const ClothState& state, const SimParams& params, Diagnostics& d)
+double largest_strain(const ClothModel& model, const ClothState& state)
 {
-    const std::vector<SpringWeight> weights = spring_weights(model, params);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const Spring& spring = model.springs[i];
+    double largest = 0;
+    for (const Spring& spring : model.springs) {
+        if (!is_thread(spring.kind)) continue;
         const double length =
             glm::distance(glm::dvec3(state.positions[spring.a]), glm::dvec3(state.positions[spring.b]));
-        const double stretch = length - double(spring.rest_length);
-        d.elastic_j +=
-            0.5 * (double(weights[i].axial) * stretch * stretch + double(weights[i].plate) * length * length);
-        if (is_thread(spring.kind))
-            d.max_strain = std::max(d.max_strain, std::abs(stretch) / double(spring.rest_length));
+        largest = std::max(largest, std::abs(length / double(spring.rest_length) - 1));
     }
+    return largest;
 }
 
 }  // namespace
@@ -48,7 +44,9 @@ Diagnostics measure(const ClothModel& model, const ClothState& state, const SimP
         total_mass += mass;
     }
     d.centroid /= total_mass;
-    measure_springs(model, state, params, d);
+    const std::vector<glm::dvec3> x(state.positions.begin(), state.positions.end());
+    d.elastic_j = ForceModel(model, params).elastic_energy(x);
+    d.max_strain = largest_strain(model, state);
     return d;
 }
 

@@ -99,8 +99,7 @@ double stable_until(Method method, const Oscillator& oscillator)
 
 bool is_explicit(Method method)
 {
-    return method == Method::explicit_euler || method == Method::symplectic_euler || method == Method::verlet ||
-           method == Method::rk4;
+    return std::find(kExplicitMethods.begin(), kExplicitMethods.end(), method) != kExplicitMethods.end();
 }
 
 }  // namespace nuno

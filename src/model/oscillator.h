@@ -1,6 +1,8 @@
 // Stability of the explicit methods on an oscillator, from the update formulas themselves.
 #pragma once
 
+#include <array>
+
 #include "model/sim_params.h"
 
 namespace nuno {
@@ -19,7 +21,9 @@ bool is_stable(Method method, const Oscillator& oscillator, double h);
 // The smallest h [s] from which on `method` is no longer stable; 0 where no h is. Method must be explicit.
 double stable_until(Method method, const Oscillator& oscillator);
 
-// True for explicit_euler, symplectic_euler, verlet and rk4.
+// The methods whose substep has a limit.
+inline constexpr std::array<Method, 4> kExplicitMethods{Method::explicit_euler, Method::symplectic_euler,
+                                                        Method::verlet, Method::rk4};
 bool is_explicit(Method method);
 
 }  // namespace nuno

@@ -155,11 +155,13 @@ double omega_max(const ClothModel& model, const SimParams& params, const ClothSt
     return std::sqrt(std::max(omega_sq, 0.0));
 }
 
-double largest_stable_substep(const SimParams& params, double omega)
+namespace {
+
+// The same with the rate [1/s] of a damper of the air.
+double largest_stable_substep(const SimParams& params, double omega, double air)
 {
     if (!is_explicit(params.method)) return kAnySubstep;
     constexpr int modes = 16;
-    const double air = double(params.damping) / double(params.areal_density);
     double limit = kAnySubstep;
     for (int i = 0; i <= modes; ++i) {
         const double w = omega * i / modes, rate = air + double(params.stiffness_damping) * w * w;
@@ -168,17 +170,65 @@ double largest_stable_substep(const SimParams& params, double omega)
     return limit;
 }
 
-double largest_stable_substep(const ClothModel& model, const SimParams& params)
+// The quadratic drag rho C |u| / 2 changes by twice that with u; held down by the shared formula where h is long.
+double air_rate(const SimParams& params)
 {
-    if (!is_explicit(params.method)) return kAnySubstep;
-    constexpr double e = kStretchAllowedFor;
-    const double stiffer = face_forces(params).membrane ? (1 + e) * (1 + e) + e + e * e / 2 : 2 - 1 / (1 + e);
-    return largest_stable_substep(params, omega_max_bound(model, params) * std::sqrt(stiffer));
+    const double damper = double(params.damping) / double(params.areal_density);
+    if (params.wind_model != WindModel::aero) return damper;
+    const double speed =
+        glm::length(glm::dvec3(params.wind_x, params.wind_y, params.wind_z)) + double(params.gust_speed);
+    const double coefficient = std::max(double(params.pressure_coefficient), double(params.skin_coefficient));
+    return damper + double(params.air_density) * coefficient * speed / double(params.areal_density);
 }
 
-int least_stable_substeps(const ClothModel& model, const SimParams& params)
+// The larger eigenvalue of F^T F: the square of the largest principal stretch of a face with the edges e1, e2.
+double stretch_sq(const formulas::FaceRest& r, const glm::dvec3& e1, const glm::dvec3& e2)
 {
-    return substeps_for(params, largest_stable_substep(model, params));
+    const glm::dvec3 warp = double(r.warp_1) * e1 + double(r.warp_2) * e2;
+    const glm::dvec3 weft = double(r.weft_1) * e1 + double(r.weft_2) * e2;
+    const double a = glm::dot(warp, warp), b = glm::dot(weft, weft);
+    return (a + b) / 2 + std::hypot((a - b) / 2, glm::dot(warp, weft));
+}
+
+// What a stretch e makes of omega^2.
+double stiffening(const SimParams& params, double e)
+{
+    return face_forces(params).membrane ? (1 + e) * (1 + e) + e + e * e / 2 : 2 - 1 / (1 + e);
+}
+
+}  // namespace
+
+double largest_stable_substep(const SimParams& params, double omega)
+{
+    return largest_stable_substep(params, omega, double(params.damping) / double(params.areal_density));
+}
+
+double largest_stable_substep(const ClothModel& model, const SimParams& params, double stretch)
+{
+    if (!is_explicit(params.method)) return kAnySubstep;
+    const double omega = omega_max_bound(model, params) * std::sqrt(stiffening(params, stretch));
+    return largest_stable_substep(params, omega, air_rate(params));
+}
+
+int least_stable_substeps(const ClothModel& model, const SimParams& params, double stretch)
+{
+    return substeps_for(params, largest_stable_substep(model, params, stretch));
+}
+
+double largest_face_stretch(const ClothModel& model, const ClothState& state, double ahead_s)
+{
+    const std::vector<formulas::FaceRest> rests = face_rests(model);
+    double largest_sq = 1;
+    for (std::size_t face = 0; face < rests.size(); ++face)
+        for (const double t : {0.0, ahead_s}) {
+            const auto corner = [&](int i) {
+                const std::uint32_t v = model.faces[face][i];
+                return glm::dvec3(state.positions[v]) + t * glm::dvec3(state.velocities[v]);
+            };
+            const glm::dvec3 origin = corner(0);
+            largest_sq = std::max(largest_sq, stretch_sq(rests[face], corner(1) - origin, corner(2) - origin));
+        }
+    return std::sqrt(largest_sq) - 1;
 }
 
 PresentStability present_stability(const ClothModel& model, const SimParams& params, const ClothState& state,
@@ -187,7 +237,12 @@ PresentStability present_stability(const ClothModel& model, const SimParams& par
     PresentStability present{};
     present.omega_max = omega_max(model, params, state, mode);
     present.omega_bound = omega_max_bound(model, params);
-    present.largest_stable_substep_s = largest_stable_substep(params, present.omega_max);
+    SimParams with = params;
+    for (std::size_t i = 0; i < kExplicitMethods.size(); ++i) {
+        with.method = kExplicitMethods[i];
+        present.stable_substep_s[i] = largest_stable_substep(with, present.omega_max, air_rate(params));
+    }
+    present.largest_stable_substep_s = largest_stable_substep(params, present.omega_max, air_rate(params));
     present.least_substeps = substeps_for(params, present.largest_stable_substep_s / 1.05);
     return present;
 }

@@ -1,6 +1,7 @@
 // How long a substep of an explicit method may be.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -34,19 +35,25 @@ inline constexpr double kAnySubstep = 1e9;
 // rate c = damping / areal_density, and Rayleigh damping beta omega^2; 0 where none is.
 double largest_stable_substep(const SimParams& params, double omega);
 
-// The same at the bound, raised for stretched cloth: of a spring to l from l0 by 2 - l0 / l in omega^2, of the
-// membrane, which stiffens, by (1 + e)^2 + e + e^2 / 2 at the stretch e.
-double largest_stable_substep(const ClothModel& model, const SimParams& params);
+// The same at the bound, raised for cloth stretched by the share `stretch`: of a spring to l from l0 by 2 - l0 / l in
+// omega^2, which is 2 however far, of the membrane, which stiffens, by (1 + e)^2 + e + e^2 / 2 at the stretch e. The
+// air of wind_model aero counts as a damper at the speed of the wind.
+double largest_stable_substep(const ClothModel& model, const SimParams& params, double stretch = kStretchAllowedFor);
 
 // Substeps a frame that keep the substep at or under the largest stable one; 0 where no number does.
-int least_stable_substeps(const ClothModel& model, const SimParams& params);
+int least_stable_substeps(const ClothModel& model, const SimParams& params, double stretch = kStretchAllowedFor);
 
-// How stable the parameters are where the cloth is now.
+// How far the faces are stretched, at most and in any direction, where the cloth is now or would be `ahead_s` [s] later
+// at its velocity: 0 at rest or less.
+double largest_face_stretch(const ClothModel& model, const ClothState& state, double ahead_s);
+
+// How stable the explicit methods are where the cloth is now.
 struct PresentStability
 {
-    double omega_max, omega_bound;    // [rad/s], by iteration (from below) and at rest (from above)
-    double largest_stable_substep_s;  // at omega_max
-    int least_substeps;               // with 5 % to spare; 0 where no number holds
+    double omega_max, omega_bound;           // [rad/s], by iteration (from below) and at rest (from above)
+    std::array<double, 4> stable_substep_s;  // at omega_max, of each of kExplicitMethods; 0 where none is
+    double largest_stable_substep_s;         // of params.method
+    int least_substeps;                      // of params.method, with 5 % to spare; 0 where no number holds
 };
 PresentStability present_stability(const ClothModel& model, const SimParams& params, const ClothState& state,
                                    std::vector<glm::dvec3>& mode);

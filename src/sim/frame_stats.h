@@ -33,6 +33,7 @@ struct FrameStats
 {
     int frame = 0;      // 1 after the first
     double time_s = 0;  // simulated, at the end of the frame
+    int substeps = 0;
     StageTimes stage_ms;
     CollisionCounts count;            // of all passes of the frame
     std::uint32_t peak_contacts = 0;  // of one pass

@@ -41,6 +41,7 @@ Json frame_json(const FrameRecord& record)
     for (const StageInfo& stage : kStages) stages[stage.name] = stats.stage_ms.*stage.ms;
     return {{"frame", stats.frame},
             {"time_s", stats.time_s},
+            {"substeps", stats.substeps},
             {"stage_ms", stages},
             {"count", counts_json(stats.count)},
             {"energy_j", {{"kinetic", d.kinetic_j}, {"gravity", d.gravity_j}, {"elastic", d.elastic_j}}},
@@ -48,17 +49,20 @@ Json frame_json(const FrameRecord& record)
             {"max_speed", d.max_speed}};
 }
 
-// Null where the numbers went bad; the substep is null where the method is stable with any, or with none.
+// Null where the numbers went bad; a substep is null where any, or none, is stable.
 Json stability_json(Simulation& simulation)
 {
     const std::optional<PresentStability> stability = simulation.stability();
     if (!stability) return nullptr;
-    const double limit_s = stability->largest_stable_substep_s;
-    const bool limited = limit_s > 0 && limit_s < kAnySubstep;
+    const auto limit = [](double s) { return s > 0 && s < kAnySubstep ? Json(s) : Json(nullptr); };
+    Json limits;
+    for (std::size_t i = 0; i < kExplicitMethods.size(); ++i)
+        limits[choice_names(Method{})[std::size_t(kExplicitMethods[i])]] = limit(stability->stable_substep_s[i]);
     return {{"omega_max", stability->omega_max},
             {"omega_bound_at_rest", stability->omega_bound},
             {"substep_s", double(substep_s(simulation.params()))},
-            {"largest_stable_substep_s", limited ? Json(limit_s) : Json(nullptr)},
+            {"largest_stable_substep_s", limit(stability->largest_stable_substep_s)},
+            {"largest_stable_substep_s_of", limits},
             {"least_stable_substeps", stability->least_substeps}};
 }
 

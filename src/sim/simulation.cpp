@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "model/stability.h"
+#include "sim/stability_advice.h"
 #include "solver/method_choice.h"
 #include "solver/method_table.h"
 
@@ -108,9 +109,20 @@ int Simulation::pass_count() const
     return params_.collision == CollisionLevel::none ? 1 : std::min(params_.collision_passes, params_.substeps);
 }
 
+// A membrane stiffens as it is stretched, so its automatic substeps follow.
+void Simulation::follow_stretch()
+{
+    if (asked_.substeps > 0 || params_.internal_model != InternalModel::continuum || !is_explicit(params_.method))
+        return;
+    const double stretch = largest_face_stretch(*model_, state(), 1.0 / params_.frame_rate);
+    params_.substeps = resolve_params(*model_, asked_, stretch).substeps;
+}
+
 FrameStats Simulation::advance_frame()
 {
     FrameStats stats;
+    follow_stretch();
+    stats.substeps = params_.substeps;
     const double h = double(substep_s(params_));
     const int passes = pass_count(), substeps = params_.substeps;
     for (int pass = 0; pass < passes; ++pass) {
@@ -258,28 +270,19 @@ std::optional<PresentStability> Simulation::stability()
     return present_stability(*model_, params_, now, stiffest_mode_);
 }
 
-std::optional<std::string> Simulation::stability_warning() const
+std::optional<std::string> Simulation::stability_warning() const { return nuno::stability_warning(*model_, params_); }
+
+std::optional<std::string> Simulation::present_warning()
 {
-    const double limit_s = largest_stable_substep(*model_, params_);
-    if (double(substep_s(params_)) <= limit_s) return std::nullopt;
-    const std::string_view method = choice_names(params_.method)[static_cast<std::size_t>(params_.method)];
-    const int substeps = least_stable_substeps(*model_, params_);
-    const std::string advice = substeps > 0
-                                   ? fmt::format("--set substeps={} holds", substeps)
-                                   : std::string("no number of substeps holds; more damping or softer springs would");
-    return fmt::format("substep {:.4g} s is longer than the {:.4g} s up to which {} is stable; {}", substep_s(params_),
-                       limit_s, method, advice);
+    const std::optional<PresentStability> now = stability();
+    return now ? nuno::present_warning(*model_, params_, *now) : std::nullopt;
 }
 
 void Simulation::check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const
 {
     if (!bad) return;
-    const std::string advice =
-        stability_warning().value_or(fmt::format("threads stretched past {:.0f} % need shorter substeps; try --set "
-                                                 "substeps={}, or less wind",
-                                                 100 * kStretchAllowedFor, 2 * params_.substeps));
     throw Error(fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite; {}", scene_.name,
-                            frame_ + 1, first_substep + 1, last_substep, *bad, advice),
+                            frame_ + 1, first_substep + 1, last_substep, *bad, advice_after_blow_up(*model_, params_)),
                 ExitCode::went_bad);
 }
 

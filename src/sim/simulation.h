@@ -60,12 +60,14 @@ class Simulation
     // How stable the parameters are where the cloth is now; the frequency is found anew each time, from where it was
     // found last. Nothing where a number is no longer finite.
     std::optional<PresentStability> stability();
-    // A warning where the substep is longer than the method's stable one, with the number of substeps that holds.
+    // As in sim/stability_advice.h; the second looks at the cloth where it is now.
     std::optional<std::string> stability_warning() const;
+    std::optional<std::string> present_warning();
 
   private:
     void build(const SimParams& asked);
     void download();
+    void follow_stretch();
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
     std::vector<Tether> reach_of(std::uint32_t vertex) const;

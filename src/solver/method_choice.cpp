@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/face_table.h"
 #include "model/stability.h"
 
 namespace nuno {
 namespace {
+
+// How much a membrane may be stretched further within a frame.
+constexpr double kStretchInAFrame = 0.25;
 
 // Vertices along the longest side of the largest sheet, as if it were square.
 double side_of(const ClothModel& model)
@@ -39,10 +43,18 @@ int sweeping_substeps(const ClothModel& model, const SimParams& p)
     return static_cast<int>(std::min(std::ceil(least * load), 1000.0));
 }
 
-int substeps_for(const ClothModel& model, const SimParams& params)
+// What automatic substeps of an explicit method allow for: springs stretched however far, a membrane some further than
+// it is now.
+double stretch_to_come(const SimParams& params, double stretch)
+{
+    if (params.internal_model == InternalModel::continuum) return stretch + kStretchInAFrame;
+    return std::numeric_limits<double>::infinity();
+}
+
+int substeps_for(const ClothModel& model, const SimParams& params, double stretch)
 {
     if (is_explicit(params.method)) {
-        const int least = least_stable_substeps(model, params);
+        const int least = least_stable_substeps(model, params, stretch_to_come(params, stretch));
         return least > 0 ? least : 20;
     }
     if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, params);
@@ -50,25 +62,39 @@ int substeps_for(const ClothModel& model, const SimParams& params)
     return params.method == Method::sdirk2 ? 2 : 1;
 }
 
+Method automatic_method(const ClothModel& model, SimParams params, double stretch)
+{
+    params.method = Method::symplectic_euler;
+    if (params.internal_model == InternalModel::continuum || params.stiffness_damping > 0) return params.method;
+    if (params.strain_limit > 0 || params.tethers == Tethers::pins || params.tethers == Tethers::contacts)
+        return Method::xpbd;
+    const int least = params.substeps > 0 ? least_stable_substeps(model, params)
+                                          : least_stable_substeps(model, params, stretch_to_come(params, stretch));
+    const int most = params.substeps > 0 ? params.substeps : kMostExplicitSubsteps;
+    return least > 0 && least <= most ? params.method : Method::xpbd;
+}
+
+// Pins that move apart may be further from each other than the cloth reaches, which tethers would not yield to.
+bool pins_move_apart(const ClothModel& model)
+{
+    const auto pins = std::size_t(std::count(model.pinned.begin(), model.pinned.end(), true));
+    const bool fixed = pins > model.handle_pins.size();
+    const auto other = [&](const HandlePin& pin) { return pin.handle != model.handle_pins.front().handle; };
+    return !model.handle_pins.empty() &&
+           (fixed || std::any_of(model.handle_pins.begin(), model.handle_pins.end(), other));
+}
+
 }  // namespace
 
-SimParams resolve_params(const ClothModel& model, const SimParams& asked)
+SimParams resolve_params(const ClothModel& model, const SimParams& asked, double stretch)
 {
     if (face_forces(asked).membrane) membrane_constants(asked);  // Error where they are none
     SimParams params = asked;
-    if (asked.method == Method::automatic) {
-        params.method = Method::symplectic_euler;
-        const int least = least_stable_substeps(model, params);
-        const int most = asked.substeps > 0 ? asked.substeps : kMostExplicitSubsteps;
-        const bool bounded =
-            asked.strain_limit > 0 || asked.tethers == Tethers::pins || asked.tethers == Tethers::contacts;
-        const bool stable = least > 0 && least <= most;
-        const bool beyond_xpbd = asked.internal_model == InternalModel::continuum || asked.stiffness_damping > 0;
-        if ((bounded || !stable) && !beyond_xpbd) params.method = Method::xpbd;
-    }
-    if (asked.substeps == 0) params.substeps = substeps_for(model, params);
+    if (asked.method == Method::automatic) params.method = automatic_method(model, asked, stretch);
+    if (asked.substeps == 0) params.substeps = substeps_for(model, params, stretch);
     const bool position_based = params.method == Method::xpbd || params.method == Method::vbd;
-    if (asked.tethers == Tethers::automatic) params.tethers = position_based ? Tethers::pins : Tethers::none;
+    if (asked.tethers == Tethers::automatic)
+        params.tethers = position_based && !pins_move_apart(model) ? Tethers::pins : Tethers::none;
     return params;
 }
 

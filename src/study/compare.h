@@ -29,7 +29,8 @@ struct ComparePoint
     std::string scene;
     int size = 0;  // vertices along the longer side; 0: the mesh of the scene
     std::uint32_t particles = 0;
-    int substeps = 0;  // a frame; more than the scene's where its own would be unstable at this size
+    Method method = Method::automatic;  // as resolved; xpbd sweeps in colours unless told otherwise
+    int substeps = 0;                   // a frame; more than the scene's where its own would be unstable at this size
     int timed_frames = 0;
     BackendCost cpu, gpu;
     std::array<double, 4>

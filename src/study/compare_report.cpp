@@ -13,6 +13,11 @@ using Json = nlohmann::ordered_json;
 double collision_ms(const StageTimes& t) { return t.refit + t.query + t.respond; }
 double transfer_ms(const StageTimes& t) { return t.readback + t.upload; }
 
+std::string_view method_name(const ComparePoint& point)
+{
+    return choice_names(Method{})[static_cast<std::size_t>(point.method)];
+}
+
 Json cost_json(const BackendCost& cost)
 {
     Json stages;
@@ -26,16 +31,18 @@ Json cost_json(const BackendCost& cost)
 
 std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl)
 {
-    std::string table = fmt::format("{:9} {:>5} {:>8} | {:^31} | {:^31} | {:>7} | {:^35} | {}\n", "", "", "substeps",
-                                    "CPU, ms a frame", software_gl ? "GPU (software: a CPU's), ms" : "GPU, ms a frame",
-                                    "GPU/CPU", "largest difference after, m", "hashes");
+    std::string table =
+        fmt::format("{:9} {:>5} {:16} {:>8} | {:^31} | {:^31} | {:>7} | {:^35} | {}\n", "", "", "", "substeps",
+                    "CPU, ms a frame", software_gl ? "GPU (software: a CPU's), ms" : "GPU, ms a frame", "GPU/CPU",
+                    "largest difference after, m", "hashes");
     const char* stages = "frame   solve   move collide";
-    table += fmt::format("{:9} {:>5} {:>8} | {:>31} | {:>31} | {:>7} |", "scene", "size", "a frame", stages, stages,
-                         "frame");
+    table += fmt::format("{:9} {:>5} {:16} {:>8} | {:>31} | {:>31} | {:>7} |", "scene", "size", "method", "a frame",
+                         stages, stages, "frame");
     for (const int substeps : kComparedSubsteps) table += fmt::format(" {:>8}", substeps);
     table += " | agree\n";
     for (const ComparePoint& p : points) {
-        table += fmt::format("{:9} {:>5} {:>8} |", p.scene, p.size > 0 ? std::to_string(p.size) : "mesh", p.substeps);
+        table += fmt::format("{:9} {:>5} {:16} {:>8} |", p.scene, p.size > 0 ? std::to_string(p.size) : "mesh",
+                             method_name(p), p.substeps);
         for (const BackendCost* c : {&p.cpu, &p.gpu})
             table += fmt::format(" {:8.3f} {:7.3f} {:6.3f} {:7.3f} |", c->frame_ms, c->stage_ms.solve,
                                  transfer_ms(c->stage_ms), collision_ms(c->stage_ms));
@@ -56,6 +63,7 @@ Json compare_json(const std::vector<ComparePoint>& points)
         list.push_back({{"scene", p.scene},
                         {"size", p.size},
                         {"particles", p.particles},
+                        {"method", method_name(p)},
                         {"substeps", p.substeps},
                         {"timed_frames", p.timed_frames},
                         {"cpu", cost_json(p.cpu)},
