@@ -46,6 +46,23 @@ TEST(Compare, times_both_backends_and_finds_the_same_bits_on_a_software_renderer
     EXPECT_EQ(compare_json(points).size(), 2u);
 }
 
+// Left to itself each backend would sweep in its own order.
+TEST(Compare, xpbd_is_swept_in_colours_on_both_backends)
+{
+    const auto context = make_headless_context();
+    const int sizes[] = {33};
+    const Scene scene = load_scene("swing");
+    const auto points =
+        compare_backends({{scene, scene.params}}, sizes, [](int, int, const std::string&) { return true; });
+    ASSERT_EQ(points.size(), 1u);
+    EXPECT_EQ(points[0].method, Method::xpbd);
+    if (gl_info().software) {
+        EXPECT_THAT(points[0].largest_difference_m, testing::Each(0.0));
+    }
+    EXPECT_TRUE(backends_agree(points, gl_info().software));
+    EXPECT_THAT(compare_table(points, true), testing::HasSubstr("xpbd"));
+}
+
 TEST(Compare, a_scene_that_goes_bad_is_told_and_does_not_end_the_rest)
 {
     const auto context = make_headless_context();
