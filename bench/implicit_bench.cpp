@@ -1,5 +1,5 @@
-// Time a frame and particle of the implicit methods on a hanging sheet, 2 m a side, as stiff as in
-// shared/reference/baselines.md ("hang"), and how many iterations a solve takes.
+// Time a frame and particle of the implicit methods on a hanging sheet, 2 m a side and as stiff as the scene `hang`, and
+// how many iterations a solve takes.
 #include <benchmark/benchmark.h>
 
 #include "solver/implicit/cpu_implicit.h"

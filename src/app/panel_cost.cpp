@@ -64,21 +64,20 @@ void draw_stages(const StageHistory& stages)
             "A window that is slower than the cloth shows several simulated frames at once.");
 }
 
-std::string limit_text(double limit_s)
-{
-    if (limit_s >= kAnySubstep) return "any is stable";
-    return limit_s > 0 ? fmt::format("stable to {:.3g} ms", 1000 * limit_s) : "none is stable";
-}
-
-// The substep beside the longest one that is stable where the cloth is now, and those of the explicit methods.
+// The longest substep of each explicit method that is stable where the cloth is now.
 void draw_stability(const SimParams& params, const PresentStability& stability)
 {
-    text_pair("substeps", fmt::format("{} of {:.3g} ms, {}", params.substeps, 1000 * double(substep_s(params)),
-                                      limit_text(stability.largest_stable_substep_s)));
-    text_pair("highest frequency", fmt::format("{:.4g} rad/s", stability.omega_max));
-    for (std::size_t i = 0; i < kExplicitMethods.size(); ++i)
-        text_pair(choice_names(Method{})[std::size_t(kExplicitMethods[i])].data(),
-                  limit_text(stability.stable_substep_s[i]));
+    const bool any = stability.largest_stable_substep_s >= kAnySubstep;
+    ImGui::TextDisabled("%s", any ? "stable substeps (any with this method)" : "stable substeps");
+    if (!ImGui::BeginTable("stability", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (std::size_t i = 0; i < kExplicitMethods.size(); ++i) {
+        const double limit_s = stability.stable_substep_s[i];
+        const bool here = kExplicitMethods[i] == params.method;
+        text_pair(
+            choice_names(Method{})[std::size_t(kExplicitMethods[i])].data(),
+            (limit_s > 0 ? fmt::format("up to {:.3g} ms", 1000 * limit_s) : std::string("none")) + (here ? "  <" : ""));
+    }
+    ImGui::EndTable();
 }
 
 void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog& log)
@@ -87,7 +86,7 @@ void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog
     note_control(log, "measure");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Measured every few frames; on the gpu backend this copies the cloth from the device.");
-    if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingFixedFit)) return;
     text_pair("contacts", fmt::format("{}", meters.count.contacts));
     text_pair("pairs tested", fmt::format("{}", meters.count.pairs_tested));
     if (meters.diagnostics) {
@@ -98,8 +97,13 @@ void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog
         text_pair("largest strain", fmt::format("{:.1f} %", 100 * d.max_strain));
         text_pair("highest speed", fmt::format("{:.2f} m/s", d.max_speed));
     }
-    if (meters.diagnostics && meters.stability) draw_stability(params, *meters.stability);
+    const bool stability = meters.diagnostics && meters.stability;
+    if (stability) {
+        text_pair("substeps", fmt::format("{} of {:.3g} ms", params.substeps, 1000 * double(substep_s(params))));
+        text_pair("highest frequency", fmt::format("{:.4g} rad/s", meters.stability->omega_max));
+    }
     ImGui::EndTable();
+    if (stability) draw_stability(params, *meters.stability);
 }
 
 }  // namespace
