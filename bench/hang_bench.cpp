@@ -100,11 +100,11 @@ NUNO_HANG(hang, grid, 256, 6, 1);
 NUNO_HANG(hang, grid, 512, 8, 1);
 // The substeps that are chosen where none are asked for.
 NUNO_HANG(hang, grid, 17, 3, 1);
-NUNO_HANG(hang, grid, 64, 5, 1);
-NUNO_HANG(hang, grid, 128, 8, 1);
-NUNO_HANG(hang, grid, 256, 13, 1);
-NUNO_HANG(hang, grid, 128, 8, 2);
-NUNO_HANG(hang, grid, 256, 13, 2);
+NUNO_HANG(hang, grid, 64, 7, 1);
+NUNO_HANG(hang, grid, 128, 11, 1);
+NUNO_HANG(hang, grid, 256, 17, 1);
+NUNO_HANG(hang, grid, 128, 11, 2);
+NUNO_HANG(hang, grid, 256, 17, 2);
 NUNO_HANG(hang, grid, 512, 8, 2);
 NUNO_HANG(hang, mesh, 128, 4, 1);
 NUNO_HANG(hang, mesh, 256, 6, 1);

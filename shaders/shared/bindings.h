@@ -1,6 +1,8 @@
-// Where the simulation's kernels find their inputs and outputs; read by C++ and GLSL.
+// Where the simulation's kernels find their inputs and outputs; read by C++ and GLSL. Numbers that stand more than once
+// belong to kernels that never run together: each method binds its own before it runs them.
 #define GROUP_SIZE 64
 
+// Of every method.
 #define UNIT_POSITIONS 0
 #define UNIT_VELOCITIES 1
 #define UNIT_NEIGHBOURS 2
@@ -11,18 +13,67 @@
 #define UNIT_FACE_FORCES 7
 #define UNIT_FACES 8
 #define UNIT_FACE_RESTS 9
-#define UNIT_START_POSITIONS 10
-#define UNIT_START_VELOCITIES 11
 #define UNIT_BODIES 12
 #define UNIT_DISTANCES 13
 #define UNIT_PIN_VERTICES 14
 #define UNIT_PIN_STEPS 15
+#define UNIT_ANCHORS 19
+#define UNIT_TETHER_LENGTHS 20
+
+#define BLOCK_PARAMS 0  // a uniform block; the others are storage blocks
+#define BLOCK_POSITIONS 0
+#define BLOCK_VELOCITIES 1
+#define BLOCK_FIRST_BAD 2
+#define BLOCK_FACE_FORCES 5
+
+#define LOCATION_SUBSTEP 0
+#define LOCATION_WIND 1
+#define LOCATION_VERTEX_COUNT 2
+#define LOCATION_FACE_COUNT 3
+#define LOCATION_GUST 4
+#define LOCATION_GUST_SEED 5
+#define LOCATION_FIRST_BODY 8
+#define LOCATION_FIRST_PIN 9
+#define LOCATION_PIN_COUNT 10
+#define LOCATION_FIRST_PLACE 11
+#define LOCATION_END_PLACE 12
+
+// Of verlet and rk4.
+#define UNIT_START_POSITIONS 10
+#define UNIT_START_VELOCITIES 11
+#define BLOCK_PREDICTED 3
+#define BLOCK_ACCELERATIONS 4
+#define BLOCK_POSITION_SUMS 3
+#define BLOCK_VELOCITY_SUMS 4
+#define LOCATION_KICK 6
+#define LOCATION_STAGE_STEP 6
+#define LOCATION_STAGE_WEIGHT 7
+
+// Of vbd.
 #define UNIT_ORDER 16
 #define UNIT_MOVES 17
 #define UNIT_TARGETS 18
-#define UNIT_ANCHORS 19
-#define UNIT_TETHER_LENGTHS 20
+#define BLOCK_MOVES 3
+#define BLOCK_TARGETS 4
+#define LOCATION_INVERSE_SUBSTEP 13
+#define LOCATION_LONGEST 13
+#define LOCATION_STIFFER 14
+#define LOCATION_DAMPER 15
+
+// Of xpbd: the beginning and the end of a substep.
 #define UNIT_PREDICTED 17
+#define BLOCK_XPBD_PREDICTED 3
+#define BLOCK_LAST_POSITIONS 4
+#define BLOCK_LAST_VELOCITIES 5
+#define BLOCK_GIVEN_VELOCITIES 6
+#define LOCATION_COMMON 11
+#define LOCATION_STEP 12
+#define LOCATION_PER_STEP 12
+#define LOCATION_KEEP 13
+#define LOCATION_ALL 11
+#define LOCATION_GRAVITY 12
+
+// Of xpbd: constraints in colours, and all at once.
 #define UNIT_ENDS 16
 #define UNIT_NUMBERS 17
 #define UNIT_SHARES 18
@@ -31,46 +82,6 @@
 #define UNIT_PULL_LENGTH 18
 #define UNIT_LIMIT_PULL 19
 #define UNIT_LIMIT_PULL_LENGTH 20
-
-#define BLOCK_POSITIONS 0
-#define BLOCK_VELOCITIES 1
-#define BLOCK_FIRST_BAD 2
-#define BLOCK_PREDICTED 3
-#define BLOCK_ACCELERATIONS 4
-#define BLOCK_FACE_FORCES 5
-#define BLOCK_MOVES 3
-#define BLOCK_TARGETS 4
-#define BLOCK_XPBD_PREDICTED 3
-#define BLOCK_LAST_POSITIONS 4
-#define BLOCK_LAST_VELOCITIES 5
-#define BLOCK_GIVEN_VELOCITIES 6
-#define BLOCK_POSITION_SUMS 3
-#define BLOCK_VELOCITY_SUMS 4
-#define BLOCK_PARAMS 0
-
-#define LOCATION_SUBSTEP 0
-#define LOCATION_WIND 1
-#define LOCATION_VERTEX_COUNT 2
-#define LOCATION_FACE_COUNT 3
-#define LOCATION_GUST 4
-#define LOCATION_GUST_SEED 5
-#define LOCATION_KICK 6
-#define LOCATION_STAGE_STEP 6
-#define LOCATION_STAGE_WEIGHT 7
-#define LOCATION_FIRST_BODY 8
-#define LOCATION_FIRST_PIN 9
-#define LOCATION_PIN_COUNT 10
-#define LOCATION_FIRST_PLACE 11
-#define LOCATION_END_PLACE 12
-#define LOCATION_INVERSE_SUBSTEP 13
-#define LOCATION_LONGEST 13
-#define LOCATION_STIFFER 14
-#define LOCATION_DAMPER 15
-#define LOCATION_COMMON 11
-#define LOCATION_STEP 12
-#define LOCATION_PER_STEP 12
-#define LOCATION_KEEP 13
-#define LOCATION_ALL 11
 #define LOCATION_COLOUR_COUNT 11
 #define LOCATION_PAIR_COUNT 12
 

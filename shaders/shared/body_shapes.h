@@ -21,7 +21,8 @@ SHARED_FN Surface plane_surface(Vec3 d, Vec3 y_axis) { return surface(y_axis, do
 SHARED_FN Surface sphere_surface(Vec3 d, Real radius, Vec3 way_out)
 {
     PRECISE Real length = vector_length(d);
-    PRECISE Vec3 normal = select_positive(length, d / max_real(length, Real(1e-12f)), way_out);
+    PRECISE Real per_length = Real(1.0f) / max_real(length, Real(1e-12f));
+    PRECISE Vec3 normal = select_positive(length, per_length * d, way_out);
     return surface(normal, length - radius);
 }
 
@@ -45,7 +46,8 @@ SHARED_FN Surface box_surface(Vec3 q, Vec3 half_size)
     PRECISE Vec3 past =
         Vec3(select_positive(a.x, a.x, zero), select_positive(a.y, a.y, zero), select_positive(a.z, a.z, zero));
     PRECISE Real outside = vector_length(past);
-    PRECISE Vec3 out_normal = Vec3(side.x * past.x, side.y * past.y, side.z * past.z) / max_real(outside, Real(1e-12f));
+    PRECISE Real per_length = one / max_real(outside, Real(1e-12f));
+    PRECISE Vec3 out_normal = per_length * Vec3(side.x * past.x, side.y * past.y, side.z * past.z);
     PRECISE Real y_or_z = max_real(a.y, a.z);
     PRECISE Vec3 face_y = Vec3(zero, side.y, zero);
     PRECISE Vec3 face_z = Vec3(zero, zero, side.z);
@@ -107,8 +109,9 @@ SHARED_FN Surface grid_surface(GridPlace place, CellCorners c)
                                      mix_real(c.high_high[0] - c.low_high[0], c.high_high[1] - c.low_high[1], x), z);
     PRECISE Vec3 gradient = Vec3(across_x, across_y, high - low);
     PRECISE Real steepness = vector_length(gradient);
-    PRECISE Vec3 normal = select_positive(steepness, gradient / max_real(steepness, Real(1e-12f)),
-                                          Vec3(Real(0.0f), Real(1.0f), Real(0.0f)));
+    PRECISE Real per_steepness = Real(1.0f) / max_real(steepness, Real(1e-12f));
+    PRECISE Vec3 normal =
+        select_positive(steepness, per_steepness * gradient, Vec3(Real(0.0f), Real(1.0f), Real(0.0f)));
     return surface(normal, mix_real(low, high, z) + place.beyond);
 }
 

@@ -13,6 +13,13 @@ SHARED_FN Motion motion(Vec3 position, Vec3 velocity)
     return m;
 }
 
+// condition > 0 ? a : b.
+SHARED_FN Motion select_motion(Real condition, Motion a, Motion b)
+{
+    return motion(select_positive(condition, a.position, b.position),
+                  select_positive(condition, a.velocity, b.velocity));
+}
+
 // As the seed writes it (section 2.4), both updates from the old state: v1 = v0 + a h, x1 = x0 + v0 h.
 SHARED_FN Motion explicit_euler(Vec3 x, Vec3 v, Vec3 a, Real h)
 {

@@ -57,6 +57,14 @@ SHARED_FN Motion assumed_last(Motion m, Vec3 a, Real h)
     return motion(x, v);
 }
 
+// What to take for `last`, the motion before m, once bodies have changed the velocity of m, which was `free`: after a
+// contact the motion before it says nothing about the one to come.
+SHARED_FN Motion last_after_contact(Motion last, Motion m, Vec3 free, Vec3 a, Real h)
+{
+    PRECISE Vec3 lost = m.velocity - free;
+    return select_motion(dot_product(lost, lost), assumed_last(m, a, h), last);
+}
+
 // The end of a substep: the velocity that includes what moved the particle from `predicted` to x; exactly v where
 // nothing did. per_step = 1 / step.
 SHARED_FN Vec3 corrected_velocity(Vec3 v, Vec3 predicted, Vec3 x, Real per_step)
@@ -86,5 +94,5 @@ SHARED_FN Motion held_back(Motion m, Vec3 anchor, Real length)
     PRECISE Vec3 position = anchor + ratio * d;
     PRECISE Vec3 velocity = m.velocity - speed * outward;
     PRECISE Real slack = Real(1.0f) - ratio;
-    return motion(select_positive(slack, position, m.position), select_positive(slack, velocity, m.velocity));
+    return select_motion(slack, motion(position, velocity), m);
 }

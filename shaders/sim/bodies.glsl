@@ -1,4 +1,4 @@
-// Contact with the rigid bodies of a scene, as src/solver/base/cpu_bodies.h has it.
+// Contact with the rigid bodies of a scene, as src/solver/base/body_push_out.h has it.
 // Defined by the caller: PLANE_COUNT, SPHERE_COUNT, CAPSULE_COUNT, BOX_COUNT, MESH_COUNT. Include after shared/euler.h
 // and what declares the block SimParams and the uniform `substep` (sim/forces.glsl).
 #include "shared/body_shapes.h"
@@ -44,12 +44,22 @@ Surface mesh_surface(int first, vec3 q)
     return grid_surface(place, corners);
 }
 
-// The surface of a body whose BodyStep begins at `texel`, seen from x.
+// Whether a particle at d from a body's position may be nearer to it than the distance kept. It only saves work.
+bool may_touch(int number, float radius, float half_length, vec3 d)
+{
+    if (number < spheres_from) return true;
+    float bound = number < boxes_from ? radius + half_length : radius;
+    float reach = (bound + thickness) * 1.001 + 1e-4;
+    return dot_product(d, d) < reach * reach;
+}
+
+// The surface of a body whose BodyStep begins at `texel`, seen from x; far away where it cannot touch.
 Surface surface_of(int number, int texel, vec3 x)
 {
     vec4 position = texelFetch(body_steps, texel);
     vec4 y_axis = texelFetch(body_steps, texel + 2);
     precise vec3 d = x - position.xyz;
+    if (!may_touch(number, position.w, y_axis.w, d)) return surface(d, 1e30);
     if (number < spheres_from) return plane_surface(d, y_axis.xyz);
     if (number < capsules_from) return sphere_surface(d, position.w, y_axis.xyz);
     vec4 x_axis = texelFetch(body_steps, texel + 1);
@@ -60,7 +70,7 @@ Surface surface_of(int number, int texel, vec3 x)
     if (number < meshes_from)
         s = box_surface(q, vec3(x_axis.w, y_axis.w, z_axis.w));
     else
-        s = mesh_surface(int(texelFetch(body_steps, texel + 4).w), q);
+        s = mesh_surface(int(texelFetch(body_steps, texel + 4).w) * GRID_HEADER, q);
     s.normal = to_world(s.normal, x_axis.xyz, y_axis.xyz, z_axis.xyz);
     return s;
 }

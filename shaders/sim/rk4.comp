@@ -36,9 +36,7 @@ void main()
     Motion sum = rk4_add(before, v, a, weight);
 #if LAST
     Motion free = rk4_end(start, sum, substep);
-    Motion held = push_out_of_bodies(start.position, free).motion;
-    Motion next = motion(select_positive(position.w, held.position, free.position),
-                         select_positive(position.w, held.velocity, free.velocity));
+    Motion next = select_motion(position.w, push_out_of_bodies(start.position, free).motion, free);
 #else
     Motion next = rk4_stage(start, v, a, next_step);
     velocity_sums[vertex] = vec4(sum.position, 0.0);

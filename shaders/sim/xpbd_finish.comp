@@ -6,6 +6,7 @@
 #include "sim/forces.glsl"
 #include "shared/euler.h"
 #include "sim/bodies.glsl"
+#include "sim/xpbd_forces.glsl"
 #include "shared/xpbd.h"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -15,7 +16,6 @@ layout(std430, binding = BLOCK_VELOCITIES) buffer NewVelocities { vec4 new_veloc
 // The state at the start of the substep, which the next one will take for the last.
 layout(std430, binding = BLOCK_LAST_POSITIONS) buffer LastPositions { vec4 last_positions[]; };
 layout(std430, binding = BLOCK_LAST_VELOCITIES) buffer LastVelocities { vec4 last_velocities[]; };
-layout(location = LOCATION_COMMON) uniform vec3 common_acceleration;
 layout(location = LOCATION_PER_STEP) uniform float per_step;
 
 void main()
@@ -26,18 +26,12 @@ void main()
     vec3 end = corrected_velocity(velocity.xyz, texelFetch(predicted, vertex).xyz, position.xyz, per_step);
     Motion m = motion(position.xyz, end);
     if (body_count > 0) {
-        precise vec3 a = common_acceleration;
-#if CORNER_QUADS
-        precise vec3 with_faces = a + position.w * force_of_faces(vertex);
-        a = with_faces;
-#endif
         vec4 last_x = last_positions[vertex], last_v = last_velocities[vertex];
         m = push_out_of_bodies(last_x.xyz, m).motion;
-        precise vec3 lost = m.velocity - end;
-        float touched = dot_product(lost, lost);
-        Motion last = assumed_last(m, a, substep);
-        last_positions[vertex] = vec4(select_positive(touched, last.position, last_x.xyz), last_x.w);
-        last_velocities[vertex] = vec4(select_positive(touched, last.velocity, last_v.xyz), last_v.w);
+        Motion last = last_after_contact(motion(last_x.xyz, last_v.xyz), m, end, free_acceleration(vertex, position.w),
+                                         substep);
+        last_positions[vertex] = vec4(last.position, last_x.w);
+        last_velocities[vertex] = vec4(last.velocity, last_v.w);
         new_positions[vertex] = vec4(select_positive(position.w, m.position, position.xyz), position.w);
     }
     new_velocities[vertex] = vec4(select_positive(position.w, m.velocity, velocity.xyz), velocity.w);

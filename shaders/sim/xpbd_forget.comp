@@ -16,7 +16,7 @@ layout(std430, binding = BLOCK_LAST_VELOCITIES) writeonly buffer LastVelocities 
 layout(location = LOCATION_SUBSTEP) uniform float substep;
 layout(location = LOCATION_VERTEX_COUNT) uniform int vertex_count;
 layout(location = LOCATION_ALL) uniform int all_vertices;
-layout(location = LOCATION_KEEP) uniform vec3 gravity;
+layout(location = LOCATION_GRAVITY) uniform vec3 gravity;
 
 void main()
 {

@@ -6,6 +6,7 @@
 #include "sim/forces.glsl"
 #include "shared/euler.h"
 #include "sim/bodies.glsl"
+#include "sim/xpbd_forces.glsl"
 #include "shared/xpbd.h"
 #include "sim/tethers.glsl"
 
@@ -14,7 +15,6 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(std430, binding = BLOCK_POSITIONS) buffer NewPositions { vec4 new_positions[]; };
 layout(std430, binding = BLOCK_VELOCITIES) buffer NewVelocities { vec4 new_velocities[]; };
 layout(std430, binding = BLOCK_XPBD_PREDICTED) writeonly buffer Predicted { vec4 predicted[]; };
-layout(location = LOCATION_COMMON) uniform vec3 common_acceleration;
 layout(location = LOCATION_STEP) uniform float step_s;
 layout(location = LOCATION_KEEP) uniform float keep;
 
@@ -25,16 +25,11 @@ void main()
     vec4 position = texelFetch(old_positions, vertex);
     vec4 velocity = texelFetch(old_velocities, vertex);
     vec3 x = position.xyz;
-    precise vec3 a = common_acceleration;
-#if CORNER_QUADS
-    precise vec3 with_faces = a + position.w * force_of_faces(vertex);
-    a = with_faces;
-#endif
+    Motion start = motion(x, velocity.xyz);
     Motion last = motion(new_positions[vertex].xyz, new_velocities[vertex].xyz);
-    Motion m = predicted_motion(motion(x, velocity.xyz), last, a, keep, step_s);
-    m = push_out_of_bodies(x, m).motion;
-    vec3 free = select_positive(position.w, m.position, x);
-    new_velocities[vertex] = vec4(select_positive(position.w, m.velocity, velocity.xyz), velocity.w);
-    predicted[vertex] = vec4(free, position.w);
-    new_positions[vertex] = vec4(select_positive(position.w, within_tethers(vertex, free), x), position.w);
+    Motion m = predicted_motion(start, last, free_acceleration(vertex, position.w), keep, step_s);
+    m = select_motion(position.w, push_out_of_bodies(x, m).motion, start);
+    new_velocities[vertex] = vec4(m.velocity, velocity.w);
+    predicted[vertex] = vec4(m.position, position.w);
+    new_positions[vertex] = vec4(select_positive(position.w, within_tethers(vertex, m.position), x), position.w);
 }

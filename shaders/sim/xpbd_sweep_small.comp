@@ -2,15 +2,9 @@
 // All sweeps of a substep over the springs of a small cloth in one work group, its positions in shared memory: what
 // sim/xpbd_springs.comp does with a dispatch a colour, in the same order.
 // Defined by the caller: LIMITED (0, 1), SMALL_GROUP (invocations), SMALL_VERTICES (room).
-#include "shared/bindings.h"
-#include "shared/dialect.glsl"
-#include "shared/vector.h"
-#include "shared/euler.h"
-#include "shared/xpbd.h"
+#include "sim/xpbd_springs.glsl"
 
 layout(local_size_x = SMALL_GROUP) in;
-layout(binding = UNIT_ENDS) uniform isamplerBuffer ends;      // two vertices; -1 where nothing is
-layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers; // SpringNumber of solver/xpbd/constraint_colours.h
 layout(binding = UNIT_COLOUR_STARTS) uniform isamplerBuffer colour_starts;
 layout(std430, binding = BLOCK_POSITIONS) buffer Positions { vec4 positions[]; }; // w: inverse mass
 layout(location = LOCATION_VERTEX_COUNT) uniform int vertex_count;
@@ -18,25 +12,6 @@ layout(location = LOCATION_COLOUR_COUNT) uniform int colour_count;
 layout(location = LOCATION_PAIR_COUNT) uniform int pair_count;
 
 shared vec4 x[SMALL_VERTICES];
-
-void project(int spring)
-{
-    ivec2 at = texelFetch(ends, spring).xy;
-    if (at.x < 0) return;
-    vec4 number = texelFetch(numbers, spring);
-    vec4 a = x[at.x], b = x[at.y];
-    precise vec3 d = b.xyz - a.xyz;
-#if LIMITED
-    precise float excess = limited_excess(d, number.x, number.z, number.w);
-#else
-    precise float excess = spring_excess(d, number.x);
-#endif
-    precise float move = number.y * excess;
-    precise vec3 new_a = a.xyz + (a.w * move) * d;
-    precise vec3 new_b = b.xyz - (b.w * move) * d;
-    x[at.x].xyz = new_a;
-    x[at.y].xyz = new_b;
-}
 
 void main()
 {
@@ -49,8 +24,10 @@ void main()
         int step = turn % (2 * colour_count);
         int colour = step < colour_count ? step : 2 * colour_count - 1 - step;
         int end = texelFetch(colour_starts, colour + 1).x;
-        for (int spring = texelFetch(colour_starts, colour).x + own; spring < end; spring += SMALL_GROUP)
-            project(spring);
+        for (int spring = texelFetch(colour_starts, colour).x + own; spring < end; spring += SMALL_GROUP) {
+            ivec2 at = texelFetch(ends, spring).xy;
+            if (at.x >= 0) project(spring, x[at.x], x[at.y]);
+        }
     }
     memoryBarrierShared();
     barrier();

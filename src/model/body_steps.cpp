@@ -10,10 +10,10 @@
 namespace nuno {
 namespace {
 
-BodyStep step_of(const PlacedBody& body, const Pose& start, const Pose& end, double h, float grid_start)
+BodyStep step_of(const PlacedBody& body, const Pose& start, const Pose& end, double h, float bound, float grid_start)
 {
     BodyStep step;
-    step.position = glm::vec4(glm::vec3(end.position), body.radius);
+    step.position = glm::vec4(glm::vec3(end.position), body.radius > 0 ? body.radius : bound);
     step.origin = glm::vec4(glm::vec3(start.position), grid_start);
     // A point x of the body at the start ends at p1 + R1 R0^T (x - p0).
     const glm::dmat3 turn = (end.rotation * glm::transpose(start.rotation) - glm::dmat3(1)) / h;
@@ -48,7 +48,7 @@ BodySteps::BodySteps(const Bodies& bodies, const ClothModel& model)
     std::size_t start = 0;
     for (const PlacedBody& body : placed_) {
         grid_starts_.push_back(static_cast<float>(start));
-        if (body.grid) start += kGridHeader + body.grid->values.size();
+        if (body.grid) start += 1 + (body.grid->values.size() + kGridHeader - 1) / kGridHeader;
     }
 }
 
@@ -62,6 +62,7 @@ std::vector<float> BodySteps::grid_numbers() const
         numbers.insert(numbers.end(), {grid.origin.x, grid.origin.y, grid.origin.z, grid.cell, 1 / grid.cell, cells.x,
                                        cells.y, cells.z});
         numbers.insert(numbers.end(), grid.values.begin(), grid.values.end());
+        while (numbers.size() % kGridHeader != 0) numbers.push_back(0);
     }
     return numbers;
 }
@@ -76,7 +77,7 @@ void BodySteps::plan(double start_time_s, double h, int substep_count)
                 const PlacedBody& body = placed_[b];
                 const Pose start = pose_at(*body.motion, body.rest, start_time_s + k * h);
                 const Pose end = pose_at(*body.motion, body.rest, start_time_s + (k + 1) * h);
-                body_steps_.push_back(step_of(body, start, end, h, grid_starts_[b]));
+                body_steps_.push_back(step_of(body, start, end, h, bounds_[b], grid_starts_[b]));
             }
     }
     if (!pins().empty()) plan_pins(start_time_s, h, substep_count);

@@ -15,9 +15,9 @@ namespace nuno {
 // One body during one substep h, rounded to float once for both backends.
 struct BodyStep
 {
-    glm::vec4 position;     // [m] at the end; w: radius
+    glm::vec4 position;     // [m] at the end; w: radius, of a box or mesh that of a ball around all of it
     glm::vec4 axis[3];      // its own axes in the world at the end; w: half size along each
-    glm::vec4 origin;       // [m] its position at the start; w: where its grid begins in grid_numbers()
+    glm::vec4 origin;       // [m] its position at the start; w: where its grid begins, in headers of grid_numbers()
     glm::vec4 velocity[3];  // rows: that of the point at x [m/s] is w + xyz . (x - origin), its way over h
 };
 
@@ -37,8 +37,8 @@ class BodySteps
     // Fills the substeps from `start_time_s` on, each `h` s long. Bodies of which none moves are filled once only.
     void plan(double start_time_s, double h, int substep_count);
 
-    // All grids of meshes one after another: origin, cell [m], 1 / cell and number of cells along each axis, then the
-    // values. Read in one piece by kernels.
+    // All grids of meshes one after another: a header of origin, cell [m], 1 / cell and number of cells along the axes,
+    // then the values, up to whole headers so that the start of each is exact as a float. Read in one piece by kernels.
     static constexpr std::size_t kGridHeader = 8;
     std::vector<float> grid_numbers() const;
     const DistanceGrid* grid(std::size_t body) const { return placed_[body].grid; }

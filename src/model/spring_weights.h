@@ -48,5 +48,6 @@ struct SpringRule
     bool (*differ)(const SimParams& a, const SimParams& b);
 };
 inline constexpr SpringRule kTrueSprings{spring_weights, spring_weights_differ};
+inline constexpr SpringRule kNoSprings{nullptr, nullptr};  // of methods that have their own
 
 }  // namespace nuno

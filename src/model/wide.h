@@ -10,6 +10,8 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #define NUNO_WIDE_INLINE inline __attribute__((always_inline))
+// After the parameters of a lambda in a kernel: by itself it would be compiled for no instruction set but the default.
+#define NUNO_WIDE_LAMBDA __attribute__((always_inline))
 
 // One clone per instruction set, chosen when the program starts. Sanitizers cannot run the chooser, clang 14 lacks the
 // names.
@@ -32,7 +34,13 @@ struct Wide
     Lanes lanes;
 
     Wide() = default;
-    NUNO_WIDE_INLINE explicit Wide(float a) : lanes(a - Lanes{}) {}
+    // GCC 12 spreads an array by one instruction, but the scalar of a vector expression lane by lane.
+    NUNO_WIDE_INLINE explicit Wide(float a)
+    {
+        float values[kCount];
+        for (float& value : values) value = a;
+        std::memcpy(&lanes, values, sizeof lanes);
+    }
     NUNO_WIDE_INLINE explicit Wide(const Lanes& a) : lanes(a) {}
     NUNO_WIDE_INLINE explicit Wide(const float* from) { std::memcpy(&lanes, from, sizeof lanes); }
     NUNO_WIDE_INLINE void store(float* to) const { std::memcpy(to, &lanes, sizeof lanes); }
@@ -63,9 +71,20 @@ struct Wide
         return Wide(values);
     }
 
+    // By bits: GCC 12 takes a choice among choices by vectors' ?: apart into lanes.
+    static NUNO_WIDE_INLINE Wide chosen(const Bits& mask, Wide a, Wide b)
+    {
+        Bits ours, others;
+        std::memcpy(&ours, &a.lanes, sizeof ours);
+        std::memcpy(&others, &b.lanes, sizeof others);
+        ours = (ours & mask) | (others & ~mask);
+        std::memcpy(&a.lanes, &ours, sizeof ours);
+        return a;
+    }
+
     friend NUNO_WIDE_INLINE Wide select_positive(Wide condition, Wide a, Wide b)
     {
-        return Wide(condition.lanes > Lanes{} ? a.lanes : b.lanes);
+        return chosen(Bits(condition.lanes > Lanes{}), a, b);
     }
 
     // The bits of whole numbers, and the other way for such below 2^24 (shaders/shared/gust.h).
@@ -89,7 +108,7 @@ struct Wide
         return Wide(values);
     }
 
-    // The float whose bits are `minuend` less half of the bits of a (shaders/shared/inverse_root.h).
+    // The float whose bits are `minuend` less half of the bits of a (shaders/shared/vector.h).
     friend NUNO_WIDE_INLINE Wide halved_bits_from(std::uint32_t minuend, Wide a)
     {
         Bits bits;

@@ -15,14 +15,24 @@ CpuBodies::CpuBodies(const Bodies& bodies, const ClothModel& model) : steps_(bod
 
 void CpuBodies::plan(const StepInput& input)
 {
-    steps_.plan(input.start_time_s, double(substep_s(input.params)), input.substep_count);
+    plan(input.start_time_s, double(substep_s(input.params)), input.substep_count);
+}
+
+void CpuBodies::plan(double start_time_s, double h, int substep_count)
+{
+    steps_.plan(start_time_s, h, substep_count);
+    h_ = static_cast<float>(h);
 }
 
 BodyContacts CpuBodies::contacts(int substep, const SimParams& params) const
 {
-    return {steps_,           steps_.bodies(substep), ends_,
-            params.thickness, params.friction,        std::max(params.friction, params.static_friction),
-            substep_s(params)};
+    return {.steps = steps_,
+            .bodies = steps_.bodies(substep),
+            .ends = ends_,
+            .distance = params.thickness,
+            .kinetic = params.friction,
+            .resting = std::max(params.friction, params.static_friction),
+            .h = h_};
 }
 
 void CpuBodies::place_pins(int substep, Range blocks, const Lanes3& x, const Lanes3& v) const

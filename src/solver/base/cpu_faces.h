@@ -1,7 +1,6 @@
 // Forces on faces on CPU threads: kLanes faces at once, and how the corners' forces come together in the vertices.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/thread_pool.h"
@@ -17,7 +16,7 @@ struct FaceInputs
     FaceForces wanted{};
     formulas::MembraneConstants membrane{};
     formulas::Air air{};
-    AirField field;
+    AirField field{};
     Lanes3 x{}, v{};
 };
 

@@ -5,7 +5,7 @@ namespace nuno {
 
 void CpuForces::refresh(const SimParams& params)
 {
-    if (!made_for_ || rule_.differ(*made_for_, params))
+    if (rule_.weights && (!made_for_ || rule_.differ(*made_for_, params)))
         springs_ = make_spring_blocks(spring_entries(model_, rule_.weights(model_, params)));
     const FaceForces wanted = face_forces(params);
     if (wanted.membrane) membrane_constants(params);
@@ -13,48 +13,32 @@ void CpuForces::refresh(const SimParams& params)
     made_for_ = params;
 }
 
-ForceTerms CpuForces::terms(const SimParams& p) const
+ForceTerms CpuForces::terms(const SimParams& p, double time_s, const StateLanes& state) const
 {
-    return {.springs = springs_,
-            .x = {},
-            .v = {},
-            .inverse_mass = nullptr,
-            .area = nullptr,
-            .gravity = {p.gravity_x, p.gravity_y, p.gravity_z},
-            .damping = p.damping,
-            .areal_density = p.areal_density,
-            .stiffness_damping = p.stiffness_damping,
-            .wind = 0};
-}
-
-ForceTerms CpuForces::terms(const SimParams& p, double time_s) const
-{
-    ForceTerms f = terms(p);
+    ForceTerms f{.springs = springs_,
+                 .x = state.x,
+                 .v = state.v,
+                 .inverse_mass = state.inverse_mass,
+                 .area = state.area,
+                 .gravity = {p.gravity_x, p.gravity_y, p.gravity_z},
+                 .damping = p.damping,
+                 .areal_density = p.areal_density,
+                 .stiffness_damping = p.stiffness_damping,
+                 .wind = wind_pressure(p, time_s)};
     const FaceForces wanted = face_forces(p);
-    if (wanted.any()) {
-        f.faces = &*faces_;
-        f.face_inputs.wanted = wanted;
-        if (wanted.membrane) f.face_inputs.membrane = membrane_constants(p);
-        f.face_inputs.air = air_of(p);
-    }
-    f.set_time(p, time_s);
+    if (!wanted.any()) return f;
+    f.faces = &*faces_;
+    f.face_inputs = {.wanted = wanted, .air = air_of(p), .x = state.x, .v = state.v};
+    if (wanted.membrane) f.face_inputs.membrane = membrane_constants(p);
+    if (wanted.air) f.face_inputs.field = air_field(p, time_s);
     return f;
 }
 
-void ForceTerms::set_time(const SimParams& p, double time_s)
-{
-    wind = wind_pressure(p, time_s);
-    if (face_inputs.wanted.air) face_inputs.field = air_field(p, time_s);
-}
-
-void run_face_pass(const ForceTerms& f, Range blocks, SpinBarrier* barrier)
+void run_face_pass(const ForceTerms& f, Range blocks, const Team& team)
 {
     if (!f.faces) return;
-    FaceInputs in = f.face_inputs;
-    in.x = f.x;
-    in.v = f.v;
-    f.faces->run(in, blocks);
-    if (barrier) barrier->arrive_and_wait();
+    f.faces->run(f.face_inputs, blocks);
+    team.wait();
 }
 
 }  // namespace nuno

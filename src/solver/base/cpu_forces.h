@@ -7,7 +7,7 @@
 #include "solver/base/cloth_solver.h"
 #include "solver/base/cpu_faces.h"
 #include "solver/base/spring_blocks.h"
-#include "solver/base/vertex_lanes.h"
+#include "solver/base/team.h"
 
 namespace nuno {
 
@@ -22,13 +22,10 @@ struct ForceTerms
     float stiffness_damping;          // beta [s]
     float wind;                       // [N/m2]
     const CpuFaces* faces = nullptr;  // none: no forces on faces
-    FaceInputs face_inputs{};         // x and v left to run_face_pass
-
-    // Takes wind and air at a time.
-    void set_time(const SimParams& params, double time_s);
+    FaceInputs face_inputs{};
 };
 
-// The springs and faces of a model for the parameters of the moment.
+// The springs and faces of a model for the parameters of the moment. `rule` kNoSprings: forces on faces alone.
 class CpuForces
 {
   public:
@@ -36,10 +33,8 @@ class CpuForces
 
     // Makes the springs anew where the parameters of springs have changed.
     void refresh(const SimParams& params);
-    // Terms with the pointers and the wind left to set, without forces on faces.
-    ForceTerms terms(const SimParams& params) const;
-    // Terms at a time, with the pointers of x, v, inverse_mass and area left to set.
-    ForceTerms terms(const SimParams& params, double time_s) const;
+    // What a kernel reads to find the accelerations of a state at a time.
+    ForceTerms terms(const SimParams& params, double time_s, const StateLanes& state) const;
 
   private:
     const ClothModel& model_;
@@ -51,7 +46,7 @@ class CpuForces
 
 // Where there are forces on faces, computes them for this thread's part and waits for the others; to call by every
 // thread before acceleration_of_block.
-void run_face_pass(const ForceTerms& f, Range blocks, SpinBarrier* barrier);
+void run_face_pass(const ForceTerms& f, Range blocks, const Team& team);
 
 NUNO_WIDE_INLINE WideVec3 spring_forces(const ForceTerms& f, int block, const WideVec3& x, const WideVec3& v)
 {
@@ -59,14 +54,11 @@ NUNO_WIDE_INLINE WideVec3 spring_forces(const ForceTerms& f, int block, const Wi
     const SpringBlocks& springs = f.springs;
     const auto b = static_cast<std::size_t>(block);
     for (std::uint32_t slot = springs.first_slot[b]; slot < springs.first_slot[b + 1]; ++slot) {
-        const Run run = springs.runs[slot];
-        const std::uint32_t* neighbours = &springs.neighbours[slot * kLanes];
-        const bool gathers = run == SpringBlocks::kGather;
-        const WideVec3 d = (gathers ? gather(f.x, neighbours) : load(f.x, run)) - x;
+        const WideVec3 d = load_neighbours(springs, slot, f.x) - x;
         sum = sum + formulas_wide::spring_force(d, WideFloat(&springs.stiffness[slot * kLanes]),
                                                 WideFloat(&springs.tension[slot * kLanes]));
         if (f.stiffness_damping > 0) {
-            const WideVec3 u = (gathers ? gather(f.v, neighbours) : load(f.v, run)) - v;
+            const WideVec3 u = load_neighbours(springs, slot, f.v) - v;
             const WideFloat c = WideFloat(f.stiffness_damping) * WideFloat(&springs.axial[slot * kLanes]);
             sum = sum + formulas_wide::spring_damping_force(d, u, c);
         }

@@ -5,12 +5,6 @@
 #include <utility>
 
 namespace nuno {
-namespace {
-
-// Fewer vertices than this are not worth waking a second thread for.
-constexpr std::uint32_t kLeastVerticesForThreads = 2048;
-
-}  // namespace
 
 CpuSolver::CpuSolver(const ClothModel& model, ThreadPool& pool)
     : pool_(pool),
@@ -57,17 +51,15 @@ void CpuSolver::set_vertex(std::uint32_t vertex, glm::vec4 position)
     inverse_mass_.first()[place(vertex)] = position.w;
 }
 
-void CpuSolver::run_team(const std::function<void(const Team&)>& body)
+StateLanes CpuSolver::state(int side)
 {
-    const int thread_count = vertex_count_ < kLeastVerticesForThreads ? 1 : pool_.thread_count();
-    if (thread_count == 1) return body({0, 1, nullptr});
-    SpinBarrier barrier(thread_count);
-    pool_.run([&](int thread) { body({thread, thread_count, &barrier}); });
+    const auto at = static_cast<std::size_t>(side);
+    return {positions_[at].lanes(), velocities_[at].lanes(), inverse_mass_.first(), area_.first()};
 }
 
-void CpuSolver::run_blocks(const std::function<void(Range, SpinBarrier*)>& body)
+void CpuSolver::run_team(const std::function<void(const Team&)>& body)
 {
-    run_team([&](const Team& team) { body(team.part(0, block_count()), team.barrier); });
+    nuno::run_team(pool_, team_size(pool_, vertex_count_), body);
 }
 
 void CpuSolver::download_positions(std::span<glm::vec4> positions)

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/thread_pool.h"
 #include "model/cloth_model.h"
 #include "solver/base/cloth_solver.h"
+#include "solver/base/team.h"
 #include "solver/base/vertex_lanes.h"
 
 namespace nuno {
@@ -29,26 +29,11 @@ class CpuSolver : public ClothSolver
     std::uint32_t position_buffer() const override { return 0; }
 
   protected:
-    // Calls body(blocks, barrier) on every thread with its part of the blocks of kLanes vertices; the barrier is null
-    // where one thread does it all.
-    void run_blocks(const std::function<void(Range blocks, SpinBarrier* barrier)>& body);
-    // The same with the parts left to the body; `team` says which of how many it is.
-    struct Team
-    {
-        int thread, thread_count;
-        SpinBarrier* barrier;
-
-        void wait() const
-        {
-            if (barrier) barrier->arrive_and_wait();
-        }
-        Range part(int begin, int end) const
-        {
-            const Range range = part_of(end - begin, 1, thread, thread_count);
-            return {begin + range.begin, begin + range.end};
-        }
-    };
+    // The state on one side, as kernels take it.
+    StateLanes state(int side);
+    // Calls body on each thread of a team.
     void run_team(const std::function<void(const Team& team)>& body);
+    // Blocks of kLanes vertices.
     int block_count() const { return static_cast<int>((place_count_ + kLanes - 1) / kLanes); }
 
     std::uint32_t place(std::uint32_t vertex) const { return places_.empty() ? vertex : places_[vertex]; }

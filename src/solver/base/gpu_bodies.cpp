@@ -11,16 +11,6 @@ static_assert(sizeof(BodyStep) == BODY_TEXELS * sizeof(glm::vec4));
 static_assert(sizeof(PinStep) == 2 * sizeof(glm::vec4));
 static_assert(BodySteps::kGridHeader == GRID_HEADER);
 
-void GpuBodies::Table::fill(std::span<const std::byte> bytes)
-{
-    if (bytes.empty()) return;
-    if (buffer.size_bytes() < bytes.size()) {
-        buffer = Buffer(bytes.size(), nullptr, GL_DYNAMIC_DRAW);
-        texture.view(buffer.id(), buffer.size_bytes());
-    }
-    buffer.update(0, bytes);
-}
-
 GpuBodies::GpuBodies(const Bodies& bodies, const ClothModel& model)
     : bodies_(bodies),
       steps_(bodies, model),
@@ -29,12 +19,11 @@ GpuBodies::GpuBodies(const Bodies& bodies, const ClothModel& model)
       pin_vertices_(GL_R32I),
       pin_steps_(GL_RGBA32F)
 {
-    const std::vector<float> distances = steps_.grid_numbers();
-    distances_.fill(std::as_bytes(std::span(distances)));
+    distances_.upload(steps_.grid_numbers());
     if (!moves_pins()) return;
     std::vector<std::int32_t> vertices;
     for (const HandlePin& pin : steps_.pins()) vertices.push_back(static_cast<std::int32_t>(pin.vertex));
-    pin_vertices_.fill(std::as_bytes(std::span(vertices)));
+    pin_vertices_.upload(vertices);
     place_pins_ = compute_program("sim/place_pins.comp");
     place_pins_.set(LOCATION_PIN_COUNT, static_cast<std::int32_t>(vertices.size()));
 }
@@ -51,13 +40,13 @@ std::vector<Define> GpuBodies::defines() const
 void GpuBodies::plan(const StepInput& input)
 {
     steps_.plan(input.start_time_s, double(substep_s(input.params)), input.substep_count);
-    body_steps_.fill(std::as_bytes(std::span(steps_.all_bodies())));
-    pin_steps_.fill(std::as_bytes(std::span(steps_.all_pins())));
-    if (bodies_.shape_count() > 0) body_steps_.texture.bind(UNIT_BODIES);
-    if (!bodies_.meshes.empty()) distances_.texture.bind(UNIT_DISTANCES);
+    body_steps_.upload(std::as_bytes(std::span(steps_.all_bodies())));
+    pin_steps_.upload(std::as_bytes(std::span(steps_.all_pins())));
+    if (bodies_.shape_count() > 0) body_steps_.bind(UNIT_BODIES);
+    if (!bodies_.meshes.empty()) distances_.bind(UNIT_DISTANCES);
     if (!moves_pins()) return;
-    pin_vertices_.texture.bind(UNIT_PIN_VERTICES);
-    pin_steps_.texture.bind(UNIT_PIN_STEPS);
+    pin_vertices_.bind(UNIT_PIN_VERTICES);
+    pin_steps_.bind(UNIT_PIN_STEPS);
 }
 
 void GpuBodies::set_substep(const Program& program, int substep) const

@@ -3,11 +3,10 @@
 
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
 #include "gl/program.h"
 #include "model/body_steps.h"
 #include "solver/base/cloth_solver.h"
+#include "solver/base/gpu_table.h"
 
 namespace nuno {
 
@@ -32,18 +31,9 @@ class GpuBodies
     void place_pins(int substep) const;
 
   private:
-    // A buffer with a view of it, of vec4 or of other texels.
-    struct Table
-    {
-        explicit Table(GLenum format) : texture(format) {}
-        void fill(std::span<const std::byte> bytes);
-        Buffer buffer;
-        BufferTexture texture;
-    };
-
     const Bodies& bodies_;
     BodySteps steps_;
-    Table body_steps_, distances_, pin_vertices_, pin_steps_;
+    GpuTable body_steps_, distances_, pin_vertices_, pin_steps_;
     Program place_pins_;
 };
 

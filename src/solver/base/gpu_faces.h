@@ -3,10 +3,9 @@
 
 #include <optional>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
 #include "gl/program.h"
 #include "model/face_table.h"
+#include "solver/base/gpu_table.h"
 
 namespace nuno {
 
@@ -31,8 +30,8 @@ class GpuFaces
     int corner_quads_ = 0;
     std::optional<FaceForces> compiled_for_;
     Program program_;
-    Buffer corners_, faces_, rests_, forces_;
-    BufferTexture corners_view_, faces_view_, rests_view_, forces_view_;
+    GpuTable corners_, faces_, rests_;
+    VertexBuffer forces_;  // one a corner, and one for no corner
 };
 
 }  // namespace nuno

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
 #include "solver/base/slot_quads.h"
 
 namespace nuno {
+
 GpuForces::GpuForces(const ClothModel& model, SpringRule rule)
     : model_(model),
       rule_(rule),
@@ -22,7 +22,7 @@ bool GpuForces::refresh(const SimParams& params)
 {
     const bool first = !made_for_, damped = params.stiffness_damping > 0;
     const int quads_before = quad_count_;
-    if (first || rule_.differ(*made_for_, params))
+    if (rule_.weights && (first || rule_.differ(*made_for_, params)))
         upload_springs(spring_entries(model_, rule_.weights(model_, params)));
     const FaceForces wanted = face_forces(params);
     if (wanted.membrane) membrane_constants(params);
@@ -38,14 +38,10 @@ bool GpuForces::refresh(const SimParams& params)
 
 void GpuForces::upload_springs(const SpringEntries& entries)
 {
-    const auto put = [&]<class To, class From>(Table& table, const std::vector<From>& slots) {
-        table.buffer = make_buffer(in_quads<To>(slots, entries.vertex_count), GL_STATIC_DRAW);
-        table.texture.view(table.buffer.id(), table.buffer.size_bytes());
-    };
-    put.operator()<std::int32_t>(neighbours_, entries.neighbours);
-    put.operator()<float>(stiffness_, entries.stiffness);
-    put.operator()<float>(tension_, entries.tension);
-    put.operator()<float>(axial_, entries.axial);
+    neighbours_.upload(in_quads<std::int32_t>(entries.neighbours, entries.vertex_count));
+    stiffness_.upload(in_quads<float>(entries.stiffness, entries.vertex_count));
+    tension_.upload(in_quads<float>(entries.tension, entries.vertex_count));
+    axial_.upload(in_quads<float>(entries.axial, entries.vertex_count));
     quad_count_ = entries.slot_count / 4;
 }
 
@@ -58,10 +54,12 @@ std::vector<Define> GpuForces::defines() const
 
 void GpuForces::bind() const
 {
-    neighbours_.texture.bind(UNIT_NEIGHBOURS);
-    stiffness_.texture.bind(UNIT_STIFFNESS);
-    tension_.texture.bind(UNIT_TENSION);
-    axial_.texture.bind(UNIT_AXIAL);
+    if (rule_.weights) {
+        neighbours_.bind(UNIT_NEIGHBOURS);
+        stiffness_.bind(UNIT_STIFFNESS);
+        tension_.bind(UNIT_TENSION);
+        axial_.bind(UNIT_AXIAL);
+    }
     if (face_forces_.any()) faces_->bind();
 }
 

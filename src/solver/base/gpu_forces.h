@@ -4,17 +4,17 @@
 #include <optional>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
 #include "gl/program.h"
 #include "model/spring_weights.h"
 #include "solver/base/gpu_faces.h"
+#include "solver/base/gpu_table.h"
 
 namespace nuno {
 
 class GpuForces
 {
   public:
+    // `rule` kNoSprings: forces on faces alone.
     explicit GpuForces(const ClothModel& model, SpringRule rule = kTrueSprings);
 
     // Uploads the springs anew where their parameters have changed; true where kernels must be compiled for other
@@ -29,13 +29,6 @@ class GpuForces
     void run_face_pass(double time_s);
 
   private:
-    // A buffer with a view of it.
-    struct Table
-    {
-        explicit Table(GLenum format) : texture(format) {}
-        Buffer buffer;
-        BufferTexture texture;
-    };
     void upload_springs(const SpringEntries& entries);
 
     const ClothModel& model_;
@@ -45,7 +38,7 @@ class GpuForces
     bool damped_ = false;
     std::optional<GpuFaces> faces_;
     FaceForces face_forces_{};
-    Table neighbours_, stiffness_, tension_, axial_;
+    GpuTable neighbours_, stiffness_, tension_, axial_;
 };
 
 }  // namespace nuno

@@ -9,12 +9,6 @@ namespace nuno {
 // Every field is a 4-byte scalar, so std140 lays them out as the struct does.
 static_assert(sizeof(SimParams) % 4 == 0 && std::is_trivially_copyable_v<SimParams>);
 
-VertexBuffer::VertexBuffer(std::uint32_t vertex_count)
-    : buffer(vertex_count * sizeof(glm::vec4), nullptr, GL_DYNAMIC_COPY), texture(GL_RGBA32F)
-{
-    texture.view(buffer.id(), buffer.size_bytes());
-}
-
 GpuSolver::GpuSolver(const ClothModel& model)
     : vertex_count_(model.vertex_count()),
       positions_{VertexBuffer(vertex_count_), VertexBuffer(vertex_count_)},

@@ -4,22 +4,13 @@
 #include <array>
 #include <optional>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
 #include "gl/program.h"
 #include "gl/readback.h"
 #include "model/cloth_model.h"
 #include "solver/base/cloth_solver.h"
+#include "solver/base/gpu_table.h"
 
 namespace nuno {
-
-// A buffer of a vec4 for each vertex that kernels write as a storage block and read as a buffer texture.
-struct VertexBuffer
-{
-    explicit VertexBuffer(std::uint32_t vertex_count);
-    Buffer buffer;
-    BufferTexture texture;
-};
 
 class GpuSolver : public ClothSolver
 {

@@ -9,28 +9,32 @@ namespace nuno {
 
 static_assert(kTethersPerVertex == 2, "sim/tethers.glsl reads two a vertex");
 
-GpuTethers::GpuTethers() : anchors_(GL_RG32I), lengths_(GL_RG32F) {}
+GpuTethers::GpuTethers(const ClothModel& model) : pins_(model), anchors_(GL_RG32I), lengths_(GL_RG32F) {}
 
-void GpuTethers::upload(std::span<const Tether> tethers)
+bool GpuTethers::refresh(const SimParams& params)
 {
-    const auto vertex_count = static_cast<std::uint32_t>(tethers.size() / kTethersPerVertex);
+    const bool had_any = pins_.any();
+    if (!pins_.refresh(params) || !pins_.any()) return pins_.any() != had_any;
+    const std::vector<Tether>& tethers = pins_.tethers();
+    const std::size_t vertex_count = tethers.size() / kTethersPerVertex;
     std::vector<glm::ivec2> anchors(vertex_count);
     std::vector<glm::vec2> lengths(vertex_count);
-    for (std::uint32_t v = 0; v < vertex_count; ++v)
+    for (std::size_t v = 0; v < vertex_count; ++v)
         for (int k = 0; k < kTethersPerVertex; ++k) {
             const Tether& tether = tethers[static_cast<std::size_t>(k) * vertex_count + v];
-            const bool none = tether.anchor == Tether::kNone;
-            anchors[v][k] = static_cast<std::int32_t>(none ? v : tether.anchor);
+            anchors[v][k] = static_cast<std::int32_t>(tether.anchor == Tether::kNone ? v : tether.anchor);
             lengths[v][k] = tether.length;
         }
-    anchor_buffer_ = make_buffer(anchors, GL_STATIC_DRAW);
-    length_buffer_ = make_buffer(lengths, GL_STATIC_DRAW);
-    anchors_.view(anchor_buffer_.id(), anchor_buffer_.size_bytes());
-    lengths_.view(length_buffer_.id(), length_buffer_.size_bytes());
+    anchors_.upload(anchors);
+    lengths_.upload(lengths);
+    return !had_any;
 }
+
+std::vector<Define> GpuTethers::defines() const { return {{"TETHERED", pins_.any() ? "1" : "0"}}; }
 
 void GpuTethers::bind() const
 {
+    if (!pins_.any()) return;
     anchors_.bind(UNIT_ANCHORS);
     lengths_.bind(UNIT_TETHER_LENGTHS);
 }

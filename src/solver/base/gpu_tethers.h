@@ -1,26 +1,30 @@
-// Tethers as kernels that include sim/tethers.glsl read them.
+// Tethers to vertices that are held as kernels that include sim/tethers.glsl read them.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
-#include "model/tethers.h"
+#include "gl/program.h"
+#include "solver/base/gpu_table.h"
+#include "solver/base/pin_tethers.h"
 
 namespace nuno {
 
 class GpuTethers
 {
   public:
-    GpuTethers();
-    // Tethers as PinTethers has them, some at least.
-    void upload(std::span<const Tether> tethers);
+    // `model` must outlive it.
+    explicit GpuTethers(const ClothModel& model);
+
+    PinTethers& pins() { return pins_; }
+    // Finds the tethers anew where what holds them or the parameters have changed; true where kernels must be compiled
+    // for other defines().
+    bool refresh(const SimParams& params);
+    std::vector<Define> defines() const;
     void bind() const;
 
   private:
-    Buffer anchor_buffer_, length_buffer_;
-    BufferTexture anchors_, lengths_;
+    PinTethers pins_;
+    GpuTable anchors_, lengths_;
 };
 
 }  // namespace nuno

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/cloth_state.h"
 #include "model/tethers.h"
 
 namespace nuno {
@@ -14,7 +15,9 @@ class PinTethers
     // `model` must outlive it.
     explicit PinTethers(const ClothModel& model) : model_(model), held_(model.vertex_count()) {}
 
-    void set_held(std::uint32_t vertex, bool held);
+    // What is held, in a whole state or where one vertex is placed: what has no inverse mass (w).
+    void upload(const ClothState& state);
+    void set_vertex(std::uint32_t vertex, const glm::vec4& position);
 
     // True where the tethers are others than after the call before.
     bool refresh(const SimParams& params);
@@ -28,6 +31,7 @@ class PinTethers
     std::vector<std::uint8_t> held_;
     bool held_changed_ = true, wanted_ = false;
     float stretch_ = 0;
+    std::vector<SheetGeodesics> geodesics_;  // of every sheet, made where tethers first need them
     std::vector<Tether> tethers_;
 };
 

@@ -16,7 +16,6 @@ std::vector<To> in_quads(const std::vector<From>& slots, std::size_t vertex_coun
         const std::size_t slot = i / vertex_count, vertex = i % vertex_count;
         quads[((slot / 4) * vertex_count + vertex) * 4 + slot % 4] = static_cast<To>(slots[i]);
     }
-    if (quads.empty()) quads.resize(4);  // a view of nothing is none
     return quads;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/spring_weights.h"
-#include "model/wide.h"
+#include "solver/base/vertex_lanes.h"
 
 namespace nuno {
 
@@ -23,10 +23,15 @@ struct SpringBlocks
     std::vector<Run> runs;                         // slots in which no lane has a spring are left out
     std::vector<std::uint32_t> neighbours;         // kLanes a slot
     std::vector<float> stiffness, tension, axial;  // kLanes a slot, as SpringEntries
-
-    int block_count() const { return static_cast<int>(first_slot.size()) - 1; }
 };
 
 SpringBlocks make_spring_blocks(const SpringEntries& entries);
+
+// What the neighbours of a slot have in `lanes`.
+NUNO_WIDE_INLINE WideVec3 load_neighbours(const SpringBlocks& springs, std::uint32_t slot, const Lanes3& lanes)
+{
+    const Run run = springs.runs[slot];
+    return run == SpringBlocks::kGather ? gather(lanes, &springs.neighbours[slot * kLanes]) : load(lanes, run);
+}
 
 }  // namespace nuno

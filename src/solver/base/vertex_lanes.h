@@ -29,6 +29,13 @@ struct Lanes3
     float *x, *y, *z;
 };
 
+// The state of every vertex, as kernels take it.
+struct StateLanes
+{
+    Lanes3 x, v;                       // [m], [m/s]
+    const float *inverse_mass, *area;  // [1/kg], [m2]
+};
+
 class VertexLanes3
 {
   public:

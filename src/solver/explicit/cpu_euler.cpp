@@ -46,29 +46,29 @@ void CpuEuler::step(const StepInput& input)
 {
     forces_.refresh(input.params);
     bodies_.plan(input);
-    run_blocks([&](Range blocks, SpinBarrier* barrier) { step_part(input, blocks, barrier); });
+    run_team([&](const Team& team) {
+        for (int k = 0; k < input.substep_count; ++k) run_substep(input, k, team);
+    });
     current_ = (current_ + input.substep_count) % 2;
 }
 
-void CpuEuler::step_part(const StepInput& input, Range blocks, SpinBarrier* barrier)
+void CpuEuler::run_substep(const StepInput& input, int k, const Team& team)
 {
     const SimParams& p = input.params;
-    Substep s{forces_.terms(p, input.start_time_s), bodies_.contacts(0, p), {}, {}, substep_s(p), method_};
-    s.forces.inverse_mass = inverse_mass_.first();
-    s.forces.area = area_.first();
-    for (int k = 0; k < input.substep_count; ++k) {
-        const int from = (current_ + k) % 2, to = 1 - from;
-        s.forces.set_time(p, input.start_time_s + k * double(s.h));
-        s.forces.x = positions_[from].lanes();
-        s.forces.v = velocities_[from].lanes();
-        s.new_x = positions_[to].lanes();
-        s.new_v = velocities_[to].lanes();
-        s.bodies.bodies = bodies_.steps().bodies(k);
-        run_face_pass(s.forces, blocks, barrier);
-        substep_blocks(s, blocks);
-        bodies_.place_pins(k, blocks, s.new_x, s.new_v);
-        if (barrier) barrier->arrive_and_wait();
-    }
+    const Range blocks = team.part(block_count());
+    const int from = (current_ + k) % 2;
+    const StateLanes next = state(1 - from);
+    const float h = substep_s(p);
+    const Substep s{.forces = forces_.terms(p, input.start_time_s + k * double(h), state(from)),
+                    .bodies = bodies_.contacts(k, p),
+                    .new_x = next.x,
+                    .new_v = next.v,
+                    .h = h,
+                    .method = method_};
+    run_face_pass(s.forces, blocks, team);
+    substep_blocks(s, blocks);
+    bodies_.place_pins(k, blocks, next.x, next.v);
+    team.wait();
 }
 
 }  // namespace nuno

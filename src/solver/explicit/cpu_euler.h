@@ -16,7 +16,7 @@ class CpuEuler final : public CpuSolver
     void step(const StepInput& input) override;
 
   private:
-    void step_part(const StepInput& input, Range blocks, SpinBarrier* barrier);
+    void run_substep(const StepInput& input, int k, const Team& team);
 
     const Method method_;
     CpuForces forces_;

@@ -19,14 +19,6 @@ bool replace(glm::dvec3& kept, const glm::vec4& given)
     return true;
 }
 
-std::array<std::size_t, 4> shape_ends(const Bodies& bodies)
-{
-    std::array<std::size_t, 4> ends{bodies.planes.size(), bodies.spheres.size(), bodies.capsules.size(),
-                                    bodies.boxes.size()};
-    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-    return ends;
-}
-
 WideVec3 wide_of_eight(const std::vector<glm::dvec3>& a, std::size_t first)
 {
     float x[kLanes], y[kLanes], z[kLanes];
@@ -47,7 +39,7 @@ glm::vec4 lane_of(const WideVec3& a, std::size_t lane)
 }  // namespace
 
 CpuReference::CpuReference(const ClothModel& model, const Bodies& bodies, const SimParams&, ThreadPool&)
-    : model_(model), plan_(bodies, model), body_ends_(shape_ends(bodies)), method_(model.vertex_count())
+    : model_(model), bodies_(bodies, model), method_(model.vertex_count())
 {
     for (auto* values : {&now_.x, &now_.v, &next_.x, &next_.v}) values->resize(model.vertex_count());
     inverse_mass_.resize(model.vertex_count());
@@ -114,9 +106,10 @@ double CpuReference::advance(const SimParams& params, double time_s, double long
     const double wanted = double(params.tolerance) * kErrorShare * shortest_thread_;
     double h = std::min(step_s_ > 0 ? step_s_ : kFirstStep, longest_s);
     for (;;) {
-        plan_.plan(time_s, h, 1);
-        start_pins(plan_);
-        const double error = method_.step(acceleration, now_, time_s, h, fresh_ || !plan_.pins().empty(), next_);
+        bodies_.plan(time_s, h, 1);
+        start_pins();
+        const double error =
+            method_.step(acceleration, now_, time_s, h, fresh_ || !bodies_.steps().pins().empty(), next_);
         const double next = DormandPrince::next_step(h, error, wanted);
         fresh_ = false;
         if (!std::isfinite(error)) {  // no step is short enough: let it be seen at the end of the frame
@@ -135,33 +128,29 @@ double CpuReference::advance(const SimParams& params, double time_s, double long
     method_.accept();
     ++step_count_;
     std::swap(now_, next_);
-    meet_bodies(params, h);
+    meet_bodies(params);
     return h;
 }
 
 // A moving pin goes straight through a step, at the speed that brings it to its place at the end.
-void CpuReference::start_pins(const BodySteps& plan)
+void CpuReference::start_pins()
 {
     for (std::uint32_t i = 0; i < model_.vertex_count(); ++i)
         if (inverse_mass_[i] == 0) now_.v[i] = glm::dvec3(0);
-    for (std::size_t k = 0; k < plan.pins().size(); ++k)
-        now_.v[plan.pins()[k].vertex] = in_double(plan.pin_steps(0)[k].velocity);
+    const BodySteps& steps = bodies_.steps();
+    for (std::size_t k = 0; k < steps.pins().size(); ++k)
+        now_.v[steps.pins()[k].vertex] = in_double(steps.pin_steps(0)[k].velocity);
 }
 
-void CpuReference::meet_bodies(const SimParams& params, double h)
+void CpuReference::meet_bodies(const SimParams& params)
 {
-    for (std::size_t k = 0; k < plan_.pins().size(); ++k) {
-        now_.x[plan_.pins()[k].vertex] = in_double(plan_.pin_steps(0)[k].position);
+    const BodySteps& steps = bodies_.steps();
+    for (std::size_t k = 0; k < steps.pins().size(); ++k) {
+        now_.x[steps.pins()[k].vertex] = in_double(steps.pin_steps(0)[k].position);
         fresh_ = true;
     }
-    if (plan_.body_count() == 0) return;
-    const BodyContacts contacts{plan_,
-                                plan_.bodies(0),
-                                body_ends_,
-                                params.thickness,
-                                params.friction,
-                                std::max(params.friction, params.static_friction),
-                                static_cast<float>(h)};
+    if (steps.body_count() == 0) return;
+    const BodyContacts contacts = bodies_.contacts(0, params);
     for (std::size_t first = 0; first < now_.x.size(); first += kLanes) {
         const formulas_wide::Motion free{wide_of_eight(now_.x, first), wide_of_eight(now_.v, first)};
         const formulas_wide::Motion held =

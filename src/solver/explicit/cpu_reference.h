@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/thread_pool.h"
 #include "model/force_model.h"
@@ -28,9 +29,8 @@ class CpuReference final : public ClothSolver
     std::optional<std::uint32_t> first_not_finite() override;
     std::uint32_t position_buffer() const override { return 0; }
 
-    // Steps taken since it was made, and the last one's length [s].
+    // Steps taken since it was made.
     long step_count() const { return step_count_; }
-    double step_s() const { return step_s_; }
 
     // Error of a step [m] that is let pass: this share of `tolerance` times the shortest thread.
     static constexpr double kErrorShare = 1e-4;
@@ -38,12 +38,11 @@ class CpuReference final : public ClothSolver
   private:
     void refresh(const SimParams& params);
     double advance(const SimParams& params, double time_s, double longest_s);
-    void start_pins(const BodySteps& plan);
-    void meet_bodies(const SimParams& params, double h);
+    void start_pins();
+    void meet_bodies(const SimParams& params);
 
     const ClothModel& model_;
-    BodySteps plan_;
-    std::array<std::size_t, 4> body_ends_;
+    CpuBodies bodies_;
     std::optional<ForceModel> forces_;
     SimParams params_{};
     double shortest_thread_ = 0;  // [m]
@@ -51,7 +50,7 @@ class CpuReference final : public ClothSolver
     MotionInDouble now_, next_;
     std::vector<double> inverse_mass_;
     std::vector<float> area_;
-    double step_s_ = 0;
+    double step_s_ = 0;  // length of the next step; 0: not known
     bool fresh_ = true;  // the state was changed since the last step
     long step_count_ = 0;
 };

@@ -28,9 +28,7 @@ NUNO_WIDE_INLINE F::Motion end_of_substep(const Rk4Stage& s, const F::Motion& st
 {
     const F::Motion free = F::rk4_end(start, sum, WideFloat(s.h));
     const F::Motion held = push_out_of_bodies<kLanes>(s.bodies, start.position, free).motion;
-    const WideFloat inverse_mass(s.forces.inverse_mass + i);
-    return F::motion(select_positive(inverse_mass, held.position, free.position),
-                     select_positive(inverse_mass, held.velocity, free.velocity));
+    return F::select_motion(WideFloat(s.forces.inverse_mass + i), held, free);
 }
 
 NUNO_SIMD_CLONES void stage_blocks(const Rk4Stage& s, Range blocks)
@@ -70,45 +68,48 @@ void CpuRk4::step(const StepInput& input)
 {
     forces_.refresh(input.params);
     bodies_.plan(input);
-    run_blocks([&](Range blocks, SpinBarrier* barrier) { step_part(input, blocks, barrier); });
+    run_team([&](const Team& team) {
+        for (int k = 0; k < input.substep_count; ++k) run_substep(input, k, team);
+    });
     current_ = (current_ + input.substep_count) % 2;
 }
 
 Rk4Stage CpuRk4::stage_at(const StepInput& input, int substep, int number)
 {
-    const int from = (current_ + substep) % 2, to = 1 - from;
+    const int from = (current_ + substep) % 2;
     const auto read = static_cast<std::size_t>(number % 2), write = 1 - read;
     const bool first = number == 0, last = number + 1 == kStages;
     const float h = substep_s(input.params);
     const int halves = (number + 1) / 2;  // of the substep: 0, 1, 1, 2
-    const double part = 0.5 * halves;
-    Rk4Stage s{.forces = forces_.terms(input.params, input.start_time_s + (substep + part) * double(h)),
-               .bodies = bodies_.contacts(substep, input.params),
-               .start_x = positions_[from].lanes(),
-               .start_v = velocities_[from].lanes(),
-               .sum_v = velocity_sums_.lanes(),
-               .sum_a = acceleration_sums_.lanes(),
-               .next_x = last ? positions_[to].lanes() : stage_positions_[write].lanes(),
-               .next_v = last ? velocities_[to].lanes() : stage_velocities_[write].lanes(),
-               .number = number,
-               .h = h};
-    s.forces.x = first ? s.start_x : stage_positions_[read].lanes();
-    s.forces.v = first ? s.start_v : stage_velocities_[read].lanes();
-    s.forces.inverse_mass = inverse_mass_.first();
-    s.forces.area = area_.first();
-    return s;
+    const double time_s = input.start_time_s + (substep + 0.5 * halves) * double(h);
+    const StateLanes start = state(from), end = state(1 - from);
+    StateLanes at = start;
+    if (!first) {
+        at.x = stage_positions_[read].lanes();
+        at.v = stage_velocities_[read].lanes();
+    }
+    return {.forces = forces_.terms(input.params, time_s, at),
+            .bodies = bodies_.contacts(substep, input.params),
+            .start_x = start.x,
+            .start_v = start.v,
+            .sum_v = velocity_sums_.lanes(),
+            .sum_a = acceleration_sums_.lanes(),
+            .next_x = last ? end.x : stage_positions_[write].lanes(),
+            .next_v = last ? end.v : stage_velocities_[write].lanes(),
+            .number = number,
+            .h = h};
 }
 
-void CpuRk4::step_part(const StepInput& input, Range blocks, SpinBarrier* barrier)
+void CpuRk4::run_substep(const StepInput& input, int k, const Team& team)
 {
-    for (int k = 0; k < input.substep_count; ++k)
-        for (int number = 0; number < kStages; ++number) {
-            const Rk4Stage s = stage_at(input, k, number);
-            run_face_pass(s.forces, blocks, barrier);
-            stage_blocks(s, blocks);
-            if (number + 1 == kStages) bodies_.place_pins(k, blocks, s.next_x, s.next_v);
-            if (barrier) barrier->arrive_and_wait();
-        }
+    const Range blocks = team.part(block_count());
+    for (int number = 0; number < kStages; ++number) {
+        const Rk4Stage s = stage_at(input, k, number);
+        run_face_pass(s.forces, blocks, team);
+        stage_blocks(s, blocks);
+        if (number + 1 == kStages) bodies_.place_pins(k, blocks, s.next_x, s.next_v);
+        team.wait();
+    }
 }
 
 }  // namespace nuno

@@ -1,6 +1,8 @@
 // The classic Runge-Kutta method on CPU threads.
 #pragma once
 
+#include <array>
+
 #include "solver/base/cpu_bodies.h"
 #include "solver/base/cpu_forces.h"
 #include "solver/base/cpu_solver.h"
@@ -18,7 +20,7 @@ class CpuRk4 final : public CpuSolver
     void step(const StepInput& input) override;
 
   private:
-    void step_part(const StepInput& input, Range blocks, SpinBarrier* barrier);
+    void run_substep(const StepInput& input, int k, const Team& team);
     Rk4Stage stage_at(const StepInput& input, int substep, int number);
 
     CpuForces forces_;

@@ -79,7 +79,7 @@ void CpuVerlet::step(const StepInput& input)
     bodies_.plan(input);
     if (accelerations_for_ && !same_params(*accelerations_for_, input.params)) accelerations_for_.reset();
     if (!accelerations_for_) predicted_[current_] = velocities_[current_];
-    run_blocks([&](Range blocks, SpinBarrier* barrier) { step_part(input, blocks, barrier); });
+    run_team([&](const Team& team) { step_part(input, team); });
     current_ = (current_ + input.substep_count) % 2;
     accelerations_for_ = input.params;
 }
@@ -89,44 +89,43 @@ VerletPass CpuVerlet::pass_at(const StepInput& input, int substep)
 {
     const int from = (current_ + substep) % 2, to = 1 - from;
     const float h = substep_s(input.params);
-    VerletPass p{.forces = forces_.terms(input.params, input.start_time_s + substep * double(h)),
-                 .bodies = bodies_.contacts(std::min(substep, input.substep_count - 1), input.params),
-                 .v = velocities_[from].lanes(),
-                 .a = accelerations_.lanes(),
-                 .new_x = positions_[to].lanes(),
-                 .new_v = velocities_[to].lanes(),
-                 .new_predicted = predicted_[to].lanes(),
-                 .h = h,
-                 .kick_s = 0.5f * h,
-                 .kicks = substep > 0,
-                 .drifts = substep < input.substep_count};
-    p.forces.x = positions_[from].lanes();
-    p.forces.v = predicted_[from].lanes();
-    p.forces.inverse_mass = inverse_mass_.first();
-    p.forces.area = area_.first();
-    return p;
+    const StateLanes now = state(from), next = state(to);
+    StateLanes at = now;
+    at.v = predicted_[from].lanes();
+    return {.forces = forces_.terms(input.params, input.start_time_s + substep * double(h), at),
+            .bodies = bodies_.contacts(std::min(substep, input.substep_count - 1), input.params),
+            .v = now.v,
+            .a = accelerations_.lanes(),
+            .new_x = next.x,
+            .new_v = next.v,
+            .new_predicted = predicted_[to].lanes(),
+            .h = h,
+            .kick_s = 0.5f * h,
+            .kicks = substep > 0,
+            .drifts = substep < input.substep_count};
 }
 
-void CpuVerlet::step_part(const StepInput& input, Range blocks, SpinBarrier* barrier)
+void CpuVerlet::step_part(const StepInput& input, const Team& team)
 {
+    const Range blocks = team.part(block_count());
     if (!accelerations_for_) {
         VerletPass p = pass_at(input, 0);
         p.kicks = true;
         p.drifts = false;
         p.kick_s = 0;
-        run_face_pass(p.forces, blocks, barrier);
+        run_face_pass(p.forces, blocks, team);
         pass_over_blocks(p, blocks);
-        if (barrier) barrier->arrive_and_wait();
+        team.wait();
     }
     for (int k = 0; k <= input.substep_count; ++k) {
         const VerletPass p = pass_at(input, k);
-        if (p.kicks) run_face_pass(p.forces, blocks, barrier);
+        if (p.kicks) run_face_pass(p.forces, blocks, team);
         pass_over_blocks(p, blocks);
         if (p.drifts) {
             bodies_.place_pins(k, blocks, p.new_x, p.new_v);
             bodies_.place_pins(k, blocks, p.new_x, p.new_predicted);
         }
-        if (barrier) barrier->arrive_and_wait();
+        team.wait();
     }
 }
 

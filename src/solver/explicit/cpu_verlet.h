@@ -1,6 +1,7 @@
 // Velocity Verlet on CPU threads.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "solver/base/cpu_bodies.h"
@@ -23,7 +24,7 @@ class CpuVerlet final : public CpuSolver
     void step(const StepInput& input) override;
 
   private:
-    void step_part(const StepInput& input, Range blocks, SpinBarrier* barrier);
+    void step_part(const StepInput& input, const Team& team);
     VerletPass pass_at(const StepInput& input, int substep);
 
     CpuForces forces_;

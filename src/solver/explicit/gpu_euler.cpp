@@ -3,6 +3,7 @@
 
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
+#include "solver/base/gpu_program.h"
 
 namespace nuno {
 
@@ -20,10 +21,8 @@ std::string_view GpuEuler::name() const
 
 void GpuEuler::compile()
 {
-    std::vector<Define> defines = forces_.defines();
-    defines.push_back({"EULER", method_ == Method::explicit_euler ? "explicit_euler" : "symplectic_euler"});
-    for (const Define& count : bodies_.defines()) defines.push_back(count);
-    euler_ = compute_program("sim/euler.comp", defines, {{"generated/sim_params", glsl_fields(sim_param_table())}});
+    const char* const formula = method_ == Method::explicit_euler ? "explicit_euler" : "symplectic_euler";
+    euler_ = gpu_program("sim/euler.comp", {forces_.defines(), bodies_.defines(), {{"EULER", formula}}});
 }
 
 void GpuEuler::step(const StepInput& input)

@@ -3,6 +3,7 @@
 
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
+#include "solver/base/gpu_program.h"
 
 namespace nuno {
 namespace {
@@ -27,12 +28,8 @@ GpuRk4::GpuRk4(const ClothModel& model, const Bodies& bodies, const SimParams& p
 void GpuRk4::compile()
 {
     const auto variant = [&](const char* first, const char* last) {
-        std::vector<Define> defines = forces_.defines();
-        for (const Define& count : bodies_.defines()) defines.push_back(count);
-        defines.push_back({"FIRST", first});
-        defines.push_back({"LAST", last});
         Program program =
-            compute_program("sim/rk4.comp", defines, {{"generated/sim_params", glsl_fields(sim_param_table())}});
+            gpu_program("sim/rk4.comp", {forces_.defines(), bodies_.defines(), {{"FIRST", first}, {"LAST", last}}});
         program.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(vertex_count_));
         return program;
     };

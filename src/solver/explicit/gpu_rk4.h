@@ -1,6 +1,8 @@
 // The classic Runge-Kutta method in a compute shader, one invocation a vertex.
 #pragma once
 
+#include <array>
+
 #include "solver/base/gpu_bodies.h"
 #include "solver/base/gpu_forces.h"
 #include "solver/base/gpu_solver.h"

@@ -3,6 +3,7 @@
 
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
+#include "solver/base/gpu_program.h"
 
 namespace nuno {
 
@@ -20,12 +21,8 @@ GpuVerlet::GpuVerlet(const ClothModel& model, const Bodies& bodies, const SimPar
 void GpuVerlet::compile()
 {
     const auto variant = [&](const char* kicks, const char* drifts) {
-        std::vector<Define> defines = forces_.defines();
-        for (const Define& count : bodies_.defines()) defines.push_back(count);
-        defines.push_back({"KICKS", kicks});
-        defines.push_back({"DRIFTS", drifts});
-        Program program =
-            compute_program("sim/verlet.comp", defines, {{"generated/sim_params", glsl_fields(sim_param_table())}});
+        Program program = gpu_program("sim/verlet.comp",
+                                      {forces_.defines(), bodies_.defines(), {{"KICKS", kicks}, {"DRIFTS", drifts}}});
         program.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(vertex_count_));
         return program;
     };

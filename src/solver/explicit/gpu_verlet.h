@@ -1,6 +1,7 @@
 // Velocity Verlet in a compute shader, one invocation a vertex.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "solver/base/gpu_bodies.h"

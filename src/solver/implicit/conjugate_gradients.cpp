@@ -9,7 +9,7 @@ NUNO_SIMD_CLONES double dot_row(const SheetRows& rows, const Field3& a, const Fi
     RowLanes sum{};
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
-        sum += row_dot(row_load(a, place), row_load(b, place));
+        sum = sum + row_dot(row_load(a, place), row_load(b, place));
     }
     return row_sum(sum);
 }
@@ -18,7 +18,7 @@ NUNO_SIMD_CLONES void add_row(const SheetRows& rows, const Field3& from, float s
 {
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
-        row_store(to, place, row_load(from, place) + row_all(s) * row_load(step, place));
+        row_store(to, place, row_load(from, place) + RowLanes(s) * row_load(step, place));
     }
 }
 
@@ -37,24 +37,21 @@ ConjugateGradients::ConjugateGradients(const SheetRows& rows)
 
 void add_scaled(const SheetRows& rows, const Field3& from, float s, const Field3& step, Field3& to, const Team& team)
 {
-    const Range part = team.part(rows.rows);
-    for (int j = part.begin; j < part.end; ++j) add_row(rows, from, s, step, to, j);
+    for_rows(rows, team, [&](int j) { add_row(rows, from, s, step, to, j); });
 }
 
 SolveResult ConjugateGradients::solve(SheetSystem& system, Field3& r, Field3& d, const SolveLimits& limits,
                                       const Team& team)
 {
-    const Range part = team.part(rows_.rows);
-    SolveResult result{0, 0, 0};
+    SolveResult result{0, 0};
     system.apply(d, q_, row_pq_, team);
     add_scaled(rows_, r, -1.0f, q_, r, team);
     team.wait();
     double before = 0;
     for (;; ++result.iterations) {
         system.precondition(r, z_, t_, team);
-        for (int j = part.begin; j < part.end; ++j) row_rz_[std::size_t(j)] = dot_row(rows_, r, z_, j);
+        for_rows(rows_, team, [&](int j) { row_rz_[std::size_t(j)] = dot_row(rows_, r, z_, j); });
         const double rz = team.sum(row_rz_);
-        result.error_sq = rz;
         if (result.iterations == 0) result.target_sq = limits.error_sq + limits.error_share * rz;
         if (!(rz > result.target_sq) || result.iterations == limits.most_iterations) break;
         // The first search direction is z itself, whatever an earlier solve left in p.

@@ -1,6 +1,8 @@
 // Preconditioned conjugate gradients on one sheet, and the sums over vectors that they need.
 #pragma once
 
+#include <vector>
+
 #include "solver/implicit/sheet_system.h"
 
 namespace nuno {
@@ -15,8 +17,7 @@ struct SolveLimits
 struct SolveResult
 {
     int iterations;
-    double error_sq;   // as the preconditioner sees it [J]
-    double target_sq;  // what it was to be at most
+    double target_sq;  // what the error was to be at most, as the preconditioner sees it [J]
 };
 
 class ConjugateGradients

@@ -15,10 +15,12 @@ constexpr int kEulerNewtonSteps = 1, kSdirkNewtonSteps = 2;
 
 constexpr int kLeastVerticesForThreads = 4096;
 
-// Positions of 16 lanes in the order of the shared formulas.
-NUNO_WIDE_INLINE WideVec<kRowLanes> wide_of_row(const Field3& a, std::size_t place)
+// What comes back as it was keeps its digits.
+void put_position(SheetMotion& motion, std::size_t place, const glm::vec3& x)
 {
-    return {Wide<kRowLanes>(a.x.get() + place), Wide<kRowLanes>(a.y.get() + place), Wide<kRowLanes>(a.z.get() + place)};
+    if (at(motion.x, place) == x) return;
+    put(motion.x, place, x);
+    put(motion.x_low, place, glm::vec3(0));
 }
 
 NUNO_SIMD_CLONES void meet_bodies_in_row(const BodyContacts& contacts, const SheetRows& rows, const Field& inertia,
@@ -26,41 +28,19 @@ NUNO_SIMD_CLONES void meet_bodies_in_row(const BodyContacts& contacts, const She
 {
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
-        const WideFormulas<kRowLanes>::Motion free{wide_of_row(now.x, place), wide_of_row(now.v, place)};
-        const auto held = push_out_of_bodies<kRowLanes>(contacts, wide_of_row(before.x, place), free).motion;
-        const Wide<kRowLanes> mass(inertia.get() + place);
+        const WideFormulas<kRowLanes>::Motion free{row_load(now.x, place), row_load(now.v, place)};
+        const auto held = push_out_of_bodies<kRowLanes>(contacts, row_load(before.x, place), free).motion;
+        const RowLanes mass = row_load(inertia, place);
         for (int lane = 0; lane < kRowLanes; ++lane) {
-            const std::size_t at = place + std::size_t(lane);
-            const bool moved = held.position.x.lanes[lane] != now.x.x[at] ||
-                               held.position.y.lanes[lane] != now.x.y[at] || held.position.z.lanes[lane] != now.x.z[at];
             if (!(mass.lanes[lane] > 0)) continue;
-            now.v.x[at] = held.velocity.x.lanes[lane];
-            now.v.y[at] = held.velocity.y.lanes[lane];
-            now.v.z[at] = held.velocity.z.lanes[lane];
-            if (!moved) continue;
-            now.x.x[at] = held.position.x.lanes[lane];
-            now.x.y[at] = held.position.y.lanes[lane];
-            now.x.z[at] = held.position.z.lanes[lane];
-            now.x_low.x[at] = now.x_low.y[at] = now.x_low.z[at] = 0;
+            const std::size_t i_lane = place + std::size_t(lane);
+            const auto of_lane = [&](const RowVec& a) {
+                return glm::vec3(a.x.lanes[lane], a.y.lanes[lane], a.z.lanes[lane]);
+            };
+            put(now.v, i_lane, of_lane(held.velocity));
+            put_position(now, i_lane, of_lane(held.position));
         }
     }
-}
-
-// What comes back as it was downloaded keeps its digits.
-void put_position(SheetMotion& motion, std::size_t at, const glm::vec4& x)
-{
-    if (motion.x.x[at] == x.x && motion.x.y[at] == x.y && motion.x.z[at] == x.z) return;
-    motion.x.x[at] = x.x;
-    motion.x.y[at] = x.y;
-    motion.x.z[at] = x.z;
-    motion.x_low.x[at] = motion.x_low.y[at] = motion.x_low.z[at] = 0;
-}
-
-void put_velocity(SheetMotion& motion, std::size_t at, const glm::vec4& v)
-{
-    motion.v.x[at] = v.x;
-    motion.v.y[at] = v.y;
-    motion.v.z[at] = v.z;
 }
 
 }  // namespace
@@ -94,7 +74,7 @@ std::string_view CpuImplicit::name() const
 void CpuImplicit::place_vertex(std::uint32_t vertex, const glm::vec4& position)
 {
     const Place& p = places_[vertex];
-    put_position(p.sheet->motion(), p.at, position);
+    put_position(p.sheet->motion(), p.at, glm::vec3(position));
     inverse_mass_[vertex] = position.w;
     p.sheet->inertia()[p.at] = position.w > 0 ? 1 / position.w : 0.0f;
 }
@@ -103,7 +83,7 @@ void CpuImplicit::place_vertex(std::uint32_t vertex, const glm::vec4& position)
 void CpuImplicit::set_velocity(std::uint32_t vertex, const glm::vec4& velocity)
 {
     const Place& p = places_[vertex];
-    put_velocity(p.sheet->motion(), p.at, inverse_mass_[vertex] > 0 ? velocity : glm::vec4(0));
+    put(p.sheet->motion().v, p.at, inverse_mass_[vertex] > 0 ? glm::vec3(velocity) : glm::vec3(0));
 }
 
 void CpuImplicit::upload(const ClothState& state)
@@ -129,9 +109,12 @@ void CpuImplicit::set_vertex(std::uint32_t vertex, glm::vec4 position)
 
 void CpuImplicit::refresh(const SimParams& params)
 {
-    if (face_forces(params).air != (air_ != nullptr)) {
-        air_ = air_ ? nullptr : std::make_unique<Air>(model_);
-        for (const Place& p : places_) p.sheet->air().x[p.at] = p.sheet->air().y[p.at] = p.sheet->air().z[p.at] = 0;
+    if (face_forces(params).air != air_.has_value()) {
+        if (air_)
+            air_.reset();
+        else
+            air_.emplace(model_);
+        for (const Place& p : places_) put(p.sheet->air(), p.at, glm::vec3(0));
     }
     if (springs_of_ && !spring_weights_differ(*springs_of_, params)) return;
     const std::vector<SpringWeight> weights = spring_weights(model_, params);
@@ -142,13 +125,12 @@ void CpuImplicit::refresh(const SimParams& params)
 StageSettings CpuImplicit::settings(const SimParams& params, double time_s) const
 {
     const int own = method_ == Method::implicit_euler ? kEulerNewtonSteps : kSdirkNewtonSteps;
-    return {{params.gravity_x, params.gravity_y, params.gravity_z},
-            wind_pressure(params, time_s),
-            params.damping,
-            params.areal_density,
-            params.stiffness_damping,
-            double(params.tolerance),
-            params.iterations > 0 ? params.iterations : own};
+    return {.gravity = {params.gravity_x, params.gravity_y, params.gravity_z},
+            .wind = wind_pressure(params, time_s),
+            .damping = params.damping,
+            .stiffness_damping = params.stiffness_damping,
+            .tolerance = double(params.tolerance),
+            .newton_steps = params.iterations > 0 ? params.iterations : own};
 }
 
 void CpuImplicit::step(const StepInput& input)
@@ -156,7 +138,7 @@ void CpuImplicit::step(const StepInput& input)
     refresh(input.params);
     bodies_.plan(input);
     const int thread_count = model_.vertex_count() < kLeastVerticesForThreads ? 1 : pool_.thread_count();
-    const auto run = [&](const Team& team) {
+    run_team(pool_, thread_count, [&](const Team& team) {
         for (int k = 0; k < input.substep_count; ++k) {
             if (team.leads()) start_pins(k);
             team.wait();
@@ -166,10 +148,7 @@ void CpuImplicit::step(const StepInput& input)
             if (team.leads()) end_pins(k);
             team.wait();
         }
-    };
-    if (thread_count == 1) return run(Team(0, 1, nullptr));
-    SpinBarrier barrier(thread_count);
-    pool_.run([&](int thread) { run(Team(thread, thread_count, &barrier)); });
+    });
 }
 
 // The force of moving air at the start of a substep, which holds through it (shaders/shared/aero.h bounds it so that it
@@ -177,30 +156,14 @@ void CpuImplicit::step(const StepInput& input)
 void CpuImplicit::blow(const SimParams& params, double time_s, const Team& team)
 {
     if (!air_) return;
-    FaceInputs in{face_forces(params), {}, air_of(params), air_field(params, time_s), air_->x.lanes(), air_->v.lanes()};
-    in.wanted.membrane = false;
-    const Range blocks = team.part(air_->faces.block_count());
-    const auto begin = static_cast<std::uint32_t>(blocks.begin * kLanes);
-    const std::uint32_t end = std::min(static_cast<std::uint32_t>(blocks.end * kLanes), model_.vertex_count());
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const SheetMotion& m = places_[i].sheet->motion();
-        const std::size_t at = places_[i].at;
-        air_->x.put(i, {m.x.x[at], m.x.y[at], m.x.z[at], 0});
-        air_->v.put(i, {m.v.x[at], m.v.y[at], m.v.z[at], 0});
-    }
-    team.wait();
-    air_->faces.run(in, blocks);
-    team.wait();
-    for (int block = blocks.begin; block < blocks.end; ++block) {
-        const WideVec3 force = air_->faces.force_on_block(block);
-        for (std::uint32_t lane = 0; lane < kLanes && std::uint32_t(block * kLanes) + lane < end; ++lane) {
-            const Place& p = places_[std::uint32_t(block * kLanes) + lane];
-            p.sheet->air().x[p.at] = force.x.lanes[lane];
-            p.sheet->air().y[p.at] = force.y.lanes[lane];
-            p.sheet->air().z[p.at] = force.z.lanes[lane];
-        }
-    }
-    team.wait();
+    const auto motion_of = [&](std::uint32_t vertex) {
+        const Place& p = places_[vertex];
+        return formulas::motion(at(p.sheet->motion().x, p.at), at(p.sheet->motion().v, p.at));
+    };
+    const auto take = [&](std::uint32_t vertex, glm::vec3 force) {
+        put(places_[vertex].sheet->air(), places_[vertex].at, force);
+    };
+    air_->run(params, time_s, team, motion_of, take);
 }
 
 void CpuImplicit::step_sheet(ImplicitSheet& sheet, const StepInput& input, int substep, const Team& team)
@@ -215,9 +178,9 @@ void CpuImplicit::step_sheet(ImplicitSheet& sheet, const StepInput& input, int s
     const BodyContacts contacts = bodies_.contacts(substep, input.params);
     if (contacts.bodies.empty()) return;
     const SheetRows& rows = sheet.system().rows();
-    const Range part = team.part(rows.rows);
-    for (int j = part.begin; j < part.end; ++j)
+    for_rows(rows, team, [&](int j) {
         meet_bodies_in_row(contacts, rows, sheet.inertia(), sheet.motion_before(), sheet.motion(), j);
+    });
     team.wait();
 }
 
@@ -227,7 +190,7 @@ void CpuImplicit::start_pins(int substep)
     const std::span<const PinStep> steps = bodies_.steps().pin_steps(substep);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const Place& p = places_[bodies_.steps().pins()[k].vertex];
-        put_velocity(p.sheet->motion(), p.at, steps[k].velocity);
+        put(p.sheet->motion().v, p.at, glm::vec3(steps[k].velocity));
     }
 }
 
@@ -236,35 +199,29 @@ void CpuImplicit::end_pins(int substep)
     const std::span<const PinStep> steps = bodies_.steps().pin_steps(substep);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const Place& p = places_[bodies_.steps().pins()[k].vertex];
-        put_position(p.sheet->motion(), p.at, steps[k].position);
-        put_velocity(p.sheet->motion(), p.at, steps[k].velocity);
+        put_position(p.sheet->motion(), p.at, glm::vec3(steps[k].position));
+        put(p.sheet->motion().v, p.at, glm::vec3(steps[k].velocity));
     }
 }
 
 void CpuImplicit::download_positions(std::span<glm::vec4> positions)
 {
-    for (std::uint32_t v = 0; v < model_.vertex_count(); ++v) {
-        const SheetMotion& m = places_[v].sheet->motion();
-        const std::size_t at = places_[v].at;
-        positions[v] = {m.x.x[at], m.x.y[at], m.x.z[at], inverse_mass_[v]};
-    }
+    for (std::uint32_t v = 0; v < model_.vertex_count(); ++v)
+        positions[v] = glm::vec4(at(places_[v].sheet->motion().x, places_[v].at), inverse_mass_[v]);
 }
 
 void CpuImplicit::download_velocities(std::span<glm::vec4> velocities)
 {
-    for (std::uint32_t v = 0; v < model_.vertex_count(); ++v) {
-        const SheetMotion& m = places_[v].sheet->motion();
-        const std::size_t at = places_[v].at;
-        velocities[v] = {m.v.x[at], m.v.y[at], m.v.z[at], area_[v]};
-    }
+    for (std::uint32_t v = 0; v < model_.vertex_count(); ++v)
+        velocities[v] = glm::vec4(at(places_[v].sheet->motion().v, places_[v].at), area_[v]);
 }
 
 std::optional<std::uint32_t> CpuImplicit::first_not_finite()
 {
     for (std::uint32_t v = 0; v < model_.vertex_count(); ++v) {
         const SheetMotion& m = places_[v].sheet->motion();
-        const std::size_t at = places_[v].at;
-        for (const float a : {m.x.x[at], m.x.y[at], m.x.z[at], m.v.x[at], m.v.y[at], m.v.z[at]})
+        const glm::vec3 x = at(m.x, places_[v].at), u = at(m.v, places_[v].at);
+        for (const float a : {x.x, x.y, x.z, u.x, u.y, u.z})
             if (!std::isfinite(a)) return v;
     }
     return std::nullopt;
@@ -277,9 +234,7 @@ SolveCounts CpuImplicit::counts() const
         const SolveCounts& c = sheet->counts();
         sum.solves += c.solves;
         sum.iterations += c.iterations;
-        sum.most_iterations = std::max(sum.most_iterations, c.most_iterations);
         sum.capped += c.capped;
-        sum.shortened += c.shortened;
     }
     return sum;
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/base/cloth_solver.h"
+#include "solver/base/cpu_air.h"
 #include "solver/base/cpu_bodies.h"
-#include "solver/base/cpu_faces.h"
 #include "solver/implicit/implicit_sheet.h"
 
 namespace nuno {
@@ -56,13 +56,7 @@ class CpuImplicit final : public ClothSolver
     std::vector<Place> places_;  // of each vertex
     std::vector<float> inverse_mass_, area_;
     std::optional<SimParams> springs_of_;
-    struct Air
-    {
-        explicit Air(const ClothModel& model) : faces(model), x(model.vertex_count()), v(model.vertex_count()) {}
-        CpuFaces faces;
-        VertexLanes3 x, v;  // in the order of the model
-    };
-    std::unique_ptr<Air> air_;  // none: no force on faces
+    std::optional<CpuAir> air_;  // none: no force on faces
 };
 
 }  // namespace nuno

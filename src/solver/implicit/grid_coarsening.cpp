@@ -1,6 +1,10 @@
 // From one level of a grid to the next coarser one.
 #include "solver/implicit/grid_coarsening.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace nuno {
 namespace {
 
@@ -10,7 +14,7 @@ class RowSum
   public:
     explicit RowSum(const SheetRows& rows) : values_(std::size_t(rows.width + 3 * kRowLanes)) {}
     void clear() { std::fill(values_.begin(), values_.end(), 0.0f); }
-    float* get() { return values_.data() + kRowLanes; }
+    float* data() { return values_.data() + kRowLanes; }
 
   private:
     std::vector<float> values_;
@@ -49,50 +53,46 @@ std::array<RowShare, 3> rows_of(int coarse_row, int coarse_rows)
              {2 * coarse_row + 1, coarse_row + 1 < coarse_rows ? 0.5f : 1.0f}}};
 }
 
+NUNO_WIDE_INLINE void add_to(RowSum& sum, int i, const RowLanes& more)
+{
+    float* to = sum.data() + i;
+    (RowLanes(to) + more).store(to);
+}
+
 NUNO_WIDE_INLINE void add_to(std::vector<RowSum>& sums, int i, const RowMatrix& m)
 {
     const RowLanes parts[6] = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
-    for (std::size_t e = 0; e < 6; ++e) {
-        float* to = sums[e].get() + i;
-        row_store(to, row_load(to) + parts[e]);
-    }
+    for (std::size_t e = 0; e < 6; ++e) add_to(sums[e], i, parts[e]);
 }
 
 // Adds `share` times the pairs of a row to `sums`; pairs with a fixed end are anchors (add_anchors), the plate is left
 // out.
-NUNO_SIMD_CLONES void add_pairs(const GridMatrix& a, int pair, int row, float share, std::vector<RowSum>& sums)
+NUNO_SIMD_CLONES void add_pairs(const GridMatrix& a, std::size_t pair, int row, float share, std::vector<RowSum>& sums)
 {
-    const PairOffset offset = kPairOffsets[std::size_t(pair)];
+    const PairOffset offset = kPairOffsets[pair];
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, row), next = a.rows.at(i + offset.i, row + offset.j);
-        const RowLanes masses = row_load(a.mass.get() + place) * row_load(a.mass.get() + next);
-        const RowLanes weight = masses > RowLanes{} ? row_all(share) : RowLanes{};
-        const RowLanes across =
-            row_load(a.across[std::size_t(pair)].get() + place) - row_load(a.plate[std::size_t(pair)].get() + place);
+        const RowLanes masses = row_load(a.mass, place) * row_load(a.mass, next);
+        const RowLanes weight = select_positive(masses, RowLanes(share), RowLanes{});
+        const RowLanes across = row_load(a.across[pair], place) - row_load(a.plate[pair], place);
         const RowVec d = row_load(a.x, place) - row_load(a.x, next);
-        add_to(sums, i,
-               row_outer(d, weight * row_load(a.along[std::size_t(pair)].get() + place),
-                         weight * row_max(across, RowLanes{})));
+        add_to(sums, i, row_outer(d, weight * row_load(a.along[pair], place), weight * max_real(across, RowLanes{})));
     }
 }
 
 NUNO_SIMD_CLONES void add_masses(const GridMatrix& a, int row, float share, std::vector<RowSum>& sums)
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes)
-        for (const std::size_t e : {0u, 3u, 5u}) {
-            float* to = sums[e].get() + i;
-            row_store(to, row_load(to) + row_all(share) * row_load(a.mass.get() + a.rows.at(i, row)));
-        }
+        for (const std::size_t e : {0u, 3u, 5u})
+            add_to(sums[e], i, RowLanes(share) * row_load(a.mass, a.rows.at(i, row)));
 }
 
 NUNO_SIMD_CLONES void add_row(const SheetRows& rows, const Field6& from, int row, float share,
                               std::vector<RowSum>& sums)
 {
     for (std::size_t e = 0; e < 6; ++e)
-        for (int i = 0; i < rows.width; i += kRowLanes) {
-            float* to = sums[e].get() + i;
-            row_store(to, row_load(to) + row_all(share) * row_load(from.part[e].get() + rows.at(i, row)));
-        }
+        for (int i = 0; i < rows.width; i += kRowLanes)
+            add_to(sums[e], i, RowLanes(share) * row_load(from.part[e], rows.at(i, row)));
 }
 
 // Sums along a row: what the coarse vertices 0 .. count - 1 stand for; the last takes all of the vertex after it.
@@ -122,18 +122,19 @@ void gather_row(RowSums& sums, CoarseLevel& coarse, int j)
     const bool last = j + 1 == coarse.rows.rows;
     const std::size_t place = coarse.rows.at(0, j);
     for (std::size_t e = 0; e < 6; ++e) {
-        gather_columns(sums.anchor[e].get(), coarse.anchor.part[e].get() + place, columns);
-        gather_right(sums.right[e].get(), sums.two_right[e].get(), coarse.links[0].part[e].get() + place, columns - 1);
+        gather_columns(sums.anchor[e].data(), coarse.anchor.part[e].data() + place, columns);
+        gather_right(sums.right[e].data(), sums.two_right[e].data(), coarse.links[0].part[e].data() + place,
+                     columns - 1);
         if (last) continue;
-        gather_columns(sums.below[e].get(), coarse.links[1].part[e].get() + place, columns);
-        gather_diagonals(sums.down[e].get(), sums.up[e].get(), coarse.links[2].part[e].get() + place,
-                         coarse.links[3].part[e].get() + place, columns - 1);
+        gather_columns(sums.below[e].data(), coarse.links[1].part[e].data() + place, columns);
+        gather_diagonals(sums.down[e].data(), sums.up[e].data(), coarse.links[2].part[e].data() + place,
+                         coarse.links[3].part[e].data() + place, columns - 1);
     }
 }
 
 void coarsen_sheet_row(const GridMatrix& fine, CoarseLevel& coarse, int j, RowSums& sums)
 {
-    enum
+    enum : std::size_t
     {
         right,
         below,
@@ -219,11 +220,10 @@ void add_anchors(const GridMatrix& a, CoarseLevel& coarse)
 NUNO_SIMD_CLONES void restrict_row(const Field& from, const SheetRows& rows, const std::array<RowShare, 3>& shares,
                                    RowSum& sum)
 {
-    float* to = sum.get();
     for (int i = 0; i < rows.width; i += kRowLanes) {
         RowLanes total{};
-        for (const RowShare& r : shares) total += row_all(r.share) * row_load(from.get() + rows.at(i, r.row));
-        row_store(to + i, total);
+        for (const RowShare& r : shares) total = total + RowLanes(r.share) * row_load(from, rows.at(i, r.row));
+        total.store(sum.data() + i);
     }
 }
 
@@ -246,7 +246,7 @@ NUNO_SIMD_CLONES void prolong_row(const float* __restrict first, const float* __
 NUNO_SIMD_CLONES void clear_fixed(const float* mass, float* to, int width)
 {
     for (int i = 0; i < width; i += kRowLanes)
-        row_store(to + i, row_load(mass + i) > RowLanes{} ? row_load(to + i) : RowLanes{});
+        select_positive(RowLanes(mass + i), RowLanes(to + i), RowLanes{}).store(to + i);
 }
 
 }  // namespace
@@ -254,8 +254,7 @@ NUNO_SIMD_CLONES void clear_fixed(const float* mass, float* to, int width)
 void coarsen_sheet(const GridMatrix& fine, CoarseLevel& coarse, const Team& team)
 {
     RowSums sums(fine.rows);
-    const Range part = team.part(coarse.rows.rows);
-    for (int j = part.begin; j < part.end; ++j) coarsen_sheet_row(fine, coarse, j, sums);
+    for_rows(coarse.rows, team, [&](int j) { coarsen_sheet_row(fine, coarse, j, sums); });
     team.wait();
     if (team.leads()) add_anchors(fine, coarse);
 }
@@ -263,38 +262,36 @@ void coarsen_sheet(const GridMatrix& fine, CoarseLevel& coarse, const Team& team
 void coarsen_level(const CoarseLevel& fine, CoarseLevel& coarse, const Team& team)
 {
     RowSums sums(fine.rows);
-    const Range part = team.part(coarse.rows.rows);
-    for (int j = part.begin; j < part.end; ++j) coarsen_level_row(fine, coarse, j, sums);
+    for_rows(coarse.rows, team, [&](int j) { coarsen_level_row(fine, coarse, j, sums); });
 }
 
 void restrict_rows(const SheetRows& fine_rows, const Field3& fine, const SheetRows& coarse_rows, Field3& coarse,
                    const Team& team)
 {
     RowSum sum(fine_rows);
-    const Range part = team.part(coarse_rows.rows);
-    for (int j = part.begin; j < part.end; ++j)
+    for_rows(coarse_rows, team, [&](int j) {
         for (const auto& [from, to] : {std::pair(&fine.x, &coarse.x), {&fine.y, &coarse.y}, {&fine.z, &coarse.z}}) {
             restrict_row(*from, fine_rows, rows_of(j, coarse_rows.rows), sum);
-            gather_columns(sum.get(), to->get() + coarse_rows.at(0, j), coarse_rows.columns);
+            gather_columns(sum.data(), to->data() + coarse_rows.at(0, j), coarse_rows.columns);
         }
+    });
 }
 
 void add_prolonged(const SheetRows& coarse_rows, const Field3& coarse, const SheetRows& fine_rows, Field3& fine,
                    const Field* mass, const Team& team)
 {
-    const Range part = team.part(fine_rows.rows);
-    for (int j = part.begin; j < part.end; ++j) {
+    for_rows(fine_rows, team, [&](int j) {
         const int first = j / 2, second = j % 2 == 0 ? first : std::min(first + 1, coarse_rows.rows - 1);
         for (const auto& [from, to] : {std::pair(&coarse.x, &fine.x), {&coarse.y, &fine.y}, {&coarse.z, &fine.z}}) {
-            float* row = to->get() + fine_rows.at(0, j);
-            prolong_row(from->get() + coarse_rows.at(0, first), from->get() + coarse_rows.at(0, second), row,
+            float* row = to->data() + fine_rows.at(0, j);
+            prolong_row(from->data() + coarse_rows.at(0, first), from->data() + coarse_rows.at(0, second), row,
                         coarse_rows.columns);
             if (mass)
-                clear_fixed(mass->get() + fine_rows.at(0, j), row, fine_rows.width);
+                clear_fixed(mass->data() + fine_rows.at(0, j), row, fine_rows.width);
             else if (fine_rows.columns % 2 != 0)
                 row[fine_rows.columns] = 0;
         }
-    }
+    });
 }
 
 }  // namespace nuno

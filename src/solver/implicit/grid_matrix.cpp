@@ -4,23 +4,22 @@
 namespace nuno {
 namespace {
 
-constexpr float kJacobiWeight = 0.7f;
-
-// What a pair adds to A p at one of its ends: H (p - p_other). `from` is its first end, `k` the pair's place.
-NUNO_WIDE_INLINE RowVec pair_force(const GridMatrix& a, int pair, std::size_t k, const RowVec& d, const RowVec& dp)
+// What a pair adds to A p at one of its ends: H (p - p_other). `k` is the place of its first end, d and dp are x and p
+// of this end less those of the other.
+NUNO_WIDE_INLINE RowVec pair_force(const GridMatrix& a, std::size_t pair, std::size_t k, const RowVec& d,
+                                   const RowVec& dp)
 {
-    const RowLanes s = row_load(a.along[pair].get() + k) * row_dot(d, dp);
-    return s * d + row_load(a.across[pair].get() + k) * dp;
+    const RowLanes s = row_load(a.along[pair], k) * row_dot(d, dp);
+    return s * d + row_load(a.across[pair], k) * dp;
 }
 
 NUNO_WIDE_INLINE RowVec product_at(const GridMatrix& a, const Field3& p, std::size_t i)
 {
     const RowVec x = row_load(a.x, i), own = row_load(p, i);
-    RowVec sum = row_load(a.mass.get() + i) * own;
-    const auto stride = std::size_t(a.rows.stride);
-    const std::size_t steps[kPairCount] = {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+    RowVec sum = row_load(a.mass, i) * own;
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
 #pragma GCC unroll 6
-    for (int pair = 0; pair < kPairCount; ++pair) {
+    for (std::size_t pair = 0; pair < kPairCount; ++pair) {
         const std::size_t next = i + steps[pair], back = i - steps[pair];
         sum = sum + pair_force(a, pair, i, x - row_load(a.x, next), own - row_load(p, next));
         sum = sum + pair_force(a, pair, back, x - row_load(a.x, back), own - row_load(p, back));
@@ -30,8 +29,7 @@ NUNO_WIDE_INLINE RowVec product_at(const GridMatrix& a, const Field3& p, std::si
 
 NUNO_WIDE_INLINE RowVec where_free(const GridMatrix& a, std::size_t i, const RowVec& v)
 {
-    const auto free = row_load(a.mass.get() + i) > RowLanes{};
-    return {free ? v.x : RowLanes{}, free ? v.y : RowLanes{}, free ? v.z : RowLanes{}};
+    return select_positive(row_load(a.mass, i), v, RowVec{});
 }
 
 NUNO_SIMD_CLONES double apply_row(const GridMatrix& a, const Field3& p, Field3& q, int j)
@@ -41,7 +39,7 @@ NUNO_SIMD_CLONES double apply_row(const GridMatrix& a, const Field3& p, Field3& 
         const std::size_t place = a.rows.at(i, j);
         const RowVec y = where_free(a, place, product_at(a, p, place));
         row_store(q, place, y);
-        sum += row_dot(row_load(p, place), y);
+        sum = sum + row_dot(row_load(p, place), y);
     }
     return row_sum(sum);
 }
@@ -59,7 +57,7 @@ NUNO_SIMD_CLONES void smooth_row(const GridMatrix& a, const Field3& x, const Fie
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
         const RowVec defect = row_load(r, place) - product_at(a, x, place);
-        const RowVec step = row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
+        const RowVec step = RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
         row_store(z, place, row_load(x, place) + step);
     }
 }
@@ -68,40 +66,32 @@ NUNO_SIMD_CLONES void smooth_row_from_zero(const GridMatrix& a, const Field3& r,
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        row_store(z, place, row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
+        row_store(z, place, RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
     }
 }
 
-NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, int pair, std::size_t k, const RowVec& d)
+NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, std::size_t pair, std::size_t k, const RowVec& d)
 {
-    const RowLanes across = row_load(a.across[pair].get() + k);
-    return row_outer(d, row_load(a.along[pair].get() + k), row_max(across, -across));
+    const RowLanes across = row_load(a.across[pair], k);
+    return row_outer(d, row_load(a.along[pair], k), max_real(across, -across));
 }
 
 NUNO_SIMD_CLONES void invert_row(GridMatrix& a, int j)
 {
-    const auto stride = std::size_t(a.rows.stride);
-    const std::size_t steps[kPairCount] = {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
         const RowVec x = row_load(a.x, place);
-        const RowLanes mass = row_load(a.mass.get() + place), none{};
-        RowMatrix sum{mass, none, none, mass, none, mass};
+        const RowLanes mass = row_load(a.mass, place);
+        RowMatrix sum = row_diagonal(mass);
 #pragma GCC unroll 6
-        for (int pair = 0; pair < kPairCount; ++pair) {
+        for (std::size_t pair = 0; pair < kPairCount; ++pair) {
             const std::size_t next = place + steps[pair], back = place - steps[pair];
             sum = sum + pair_block(a, pair, place, x - row_load(a.x, next));
             sum = sum + pair_block(a, pair, back, x - row_load(a.x, back));
         }
         row_store(a.inverse_diagonal, place, row_inverse(sum, mass));
     }
-}
-
-template <typename Row>
-void for_rows(const GridMatrix& a, const Team& team, Row row)
-{
-    const Range part = team.part(a.rows.rows);
-    for (int j = part.begin; j < part.end; ++j) row(j);
 }
 
 }  // namespace
@@ -116,27 +106,27 @@ GridMatrix::GridMatrix(const SheetRows& rows_)
 
 void invert_diagonal(GridMatrix& a, const Team& team)
 {
-    for_rows(a, team, [&](int j) { invert_row(a, j); });
+    for_rows(a.rows, team, [&](int j) { invert_row(a, j); });
 }
 
 void apply(const GridMatrix& a, const Field3& p, Field3& q, std::span<double> row_sums, const Team& team)
 {
-    for_rows(a, team, [&](int j) { row_sums[std::size_t(j)] = apply_row(a, p, q, j); });
+    for_rows(a.rows, team, [&](int j) { row_sums[std::size_t(j)] = apply_row(a, p, q, j); });
 }
 
 void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, const Team& team)
 {
-    for_rows(a, team, [&](int j) { residual_row(a, x, r, t, j); });
+    for_rows(a.rows, team, [&](int j) { residual_row(a, x, r, t, j); });
 }
 
 void smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, const Team& team)
 {
-    for_rows(a, team, [&](int j) { smooth_row(a, x, r, z, j); });
+    for_rows(a.rows, team, [&](int j) { smooth_row(a, x, r, z, j); });
 }
 
 void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, const Team& team)
 {
-    for_rows(a, team, [&](int j) { smooth_row_from_zero(a, r, z, j); });
+    for_rows(a.rows, team, [&](int j) { smooth_row_from_zero(a, r, z, j); });
 }
 
 }  // namespace nuno

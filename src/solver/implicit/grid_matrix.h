@@ -18,6 +18,13 @@ struct PairOffset
 };
 constexpr std::array<PairOffset, kPairCount> kPairOffsets{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
 
+// The same as steps in a field.
+NUNO_WIDE_INLINE std::array<std::size_t, kPairCount> pair_steps(const SheetRows& rows)
+{
+    const auto stride = std::size_t(rows.stride);
+    return {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+}
+
 // A = diag(mass) + sum over pairs of H = along d d^T + across I, d = x_b - x_a: the energy
 // 1/2 sum mass |p|^2 + 1/2 sum |p_a - p_b|^2_H. Rows and columns of fixed vertices (mass 0) are left out.
 struct GridMatrix

@@ -1,14 +1,15 @@
 // The V-cycle over the coarse levels of a grid sheet.
 #include "solver/implicit/grid_multigrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/implicit/grid_coarsening.h"
 
 namespace nuno {
 namespace {
 
-constexpr float kJacobiWeight = 0.7f;
 constexpr int kCoarsestSide = 3;             // at most so many columns and rows, solved directly
 constexpr int kLeastVerticesForTeam = 2048;  // one thread works on smaller levels
 
@@ -16,10 +17,9 @@ NUNO_WIDE_INLINE RowVec product_at(const CoarseLevel& a, const Field3& x, std::s
 {
     const RowVec own = row_load(x, i);
     RowVec sum = row_load(a.anchor, i) * own;
-    const auto stride = std::size_t(a.rows.stride);
-    const std::size_t steps[4] = {1, stride, stride + 1, stride - 1};
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
 #pragma GCC unroll 4
-    for (int link = 0; link < 4; ++link) {
+    for (std::size_t link = 0; link < 4; ++link) {
         const std::size_t next = i + steps[link], back = i - steps[link];
         sum = sum + row_load(a.links[link], i) * (own - row_load(x, next));
         sum = sum + row_load(a.links[link], back) * (own - row_load(x, back));
@@ -31,12 +31,12 @@ NUNO_WIDE_INLINE RowVec far_plate_at(const CoarseLevel& a, const Field3& x, std:
 {
     const RowVec own = row_load(x, i);
     RowVec sum{};
-    const std::size_t steps[2] = {2, 2 * std::size_t(a.rows.stride)};
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
 #pragma GCC unroll 2
-    for (int k = 0; k < 2; ++k) {
-        const std::size_t next = i + steps[k], back = i - steps[k];
-        sum = sum + row_load(a.plate[4 + k].get() + i) * (own - row_load(x, next));
-        sum = sum + row_load(a.plate[4 + k].get() + back) * (own - row_load(x, back));
+    for (std::size_t pair = 4; pair < kPairCount; ++pair) {
+        const std::size_t next = i + steps[pair], back = i - steps[pair];
+        sum = sum + row_load(a.plate[pair], i) * (own - row_load(x, next));
+        sum = sum + row_load(a.plate[pair], back) * (own - row_load(x, back));
     }
     return sum;
 }
@@ -60,7 +60,7 @@ NUNO_SIMD_CLONES void smooth_row(CoarseLevel& a, bool has_plate, int j)
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
         const RowVec step = row_load(a.inverse_diagonal, place) * defect_at(a, a.x, place, has_plate);
-        row_store(a.t, place, row_load(a.x, place) + row_all(kJacobiWeight) * step);
+        row_store(a.t, place, row_load(a.x, place) + RowLanes(kJacobiWeight) * step);
     }
 }
 
@@ -68,23 +68,19 @@ NUNO_SIMD_CLONES void smooth_row_from_zero(CoarseLevel& a, int j)
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        row_store(a.x, place, row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(a.r, place)));
+        row_store(a.x, place, RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(a.r, place)));
     }
 }
 
 NUNO_SIMD_CLONES void invert_row(CoarseLevel& a, bool has_plate, int j)
 {
-    const auto stride = std::size_t(a.rows.stride);
-    const std::size_t steps[4] = {1, stride, stride + 1, stride - 1};
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
         RowMatrix sum = row_load(a.anchor, place);
         for (std::size_t link = 0; link < 4; ++link)
             sum = sum + row_load(a.links[link], place) + row_load(a.links[link], place - steps[link]);
-        if (has_plate) {
-            const RowLanes more = row_load(a.plate_diagonal.get() + place), none{};
-            sum = sum + RowMatrix{more, none, none, more, none, more};
-        }
+        if (has_plate) sum = sum + row_diagonal(row_load(a.plate_diagonal, place));
         row_store(a.inverse_diagonal, place, row_inverse(sum, sum.xx + sum.yy + sum.zz));
     }
 }
@@ -93,17 +89,12 @@ NUNO_SIMD_CLONES void add_plate_row(CoarseLevel& a, int j)
 {
     for (std::size_t link = 0; link < 4; ++link)
         for (const std::size_t e : {0u, 3u, 5u}) {
-            float* to = a.links[link].part[e].get() + a.rows.at(0, j);
-            const float* plate = a.plate[link].get() + a.rows.at(0, j);
-            for (int i = 0; i < a.rows.width; i += kRowLanes) row_store(to + i, row_load(to + i) + row_load(plate + i));
+            Field& to = a.links[link].part[e];
+            for (int i = 0; i < a.rows.width; i += kRowLanes) {
+                const std::size_t place = a.rows.at(i, j);
+                row_store(to, place, row_load(to, place) + row_load(a.plate[link], place));
+            }
         }
-}
-
-template <typename Row>
-void for_rows(const CoarseLevel& a, const Team& team, Row row)
-{
-    const Range part = team.part(a.rows.rows);
-    for (int j = part.begin; j < part.end; ++j) row(j);
 }
 
 bool small(const CoarseLevel& a) { return a.rows.columns * a.rows.rows < kLeastVerticesForTeam; }
@@ -244,14 +235,14 @@ void CoarseGrids::prepare(const Team& team)
     for (std::size_t k = 0; k < levels_.size(); ++k) {
         const bool alone = small(levels_[k]);
         if (alone && !team.leads()) break;
-        const Team crew = alone ? Team(0, 1, nullptr) : team;
+        const Team crew = alone ? Team() : team;
         if (k + 1 < levels_.size()) coarsen_level(levels_[k], levels_[k + 1], crew);
         crew.wait();
-        for_rows(levels_[k], crew, [&](int j) {
+        for_rows(levels_[k].rows, crew, [&](int j) {
             if (has_plate_) add_plate_row(levels_[k], j);
         });
         crew.wait();
-        for_rows(levels_[k], crew, [&](int j) { invert_row(levels_[k], has_plate_, j); });
+        for_rows(levels_[k].rows, crew, [&](int j) { invert_row(levels_[k], has_plate_, j); });
         crew.wait();
     }
     if (team.leads()) factor_ = cholesky_factor(dense_matrix(levels_.back()), solution_.size());
@@ -261,7 +252,7 @@ void CoarseGrids::prepare(const Team& team)
 void CoarseGrids::solve(const Team& team)
 {
     if (!small(levels_.front())) return cycle(0, team);
-    if (team.leads()) cycle(0, Team(0, 1, nullptr));
+    if (team.leads()) cycle(0, Team());
     team.wait();
 }
 
@@ -272,9 +263,9 @@ void CoarseGrids::cycle(std::size_t level, const Team& team)
         solve_coarsest(factor_, solution_, a);
         return;
     }
-    for_rows(a, team, [&](int j) { smooth_row_from_zero(a, j); });
+    for_rows(a.rows, team, [&](int j) { smooth_row_from_zero(a, j); });
     team.wait();
-    for_rows(a, team, [&](int j) { residual_row(a, has_plate_, j); });
+    for_rows(a.rows, team, [&](int j) { residual_row(a, has_plate_, j); });
     team.wait();
     CoarseLevel& next = levels_[level + 1];
     restrict_rows(a.rows, a.t, next.rows, next.r, team);
@@ -282,12 +273,12 @@ void CoarseGrids::cycle(std::size_t level, const Team& team)
     if (!small(next)) {
         cycle(level + 1, team);
     } else {
-        if (team.leads()) cycle(level + 1, Team(0, 1, nullptr));
+        if (team.leads()) cycle(level + 1, Team());
         team.wait();
     }
     add_prolonged(next.rows, next.x, a.rows, a.x, nullptr, team);
     team.wait();
-    for_rows(a, team, [&](int j) { smooth_row(a, has_plate_, j); });
+    for_rows(a.rows, team, [&](int j) { smooth_row(a, has_plate_, j); });
     team.wait();
     if (team.leads()) std::swap(a.x, a.t);
     team.wait();

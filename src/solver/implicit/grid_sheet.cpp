@@ -1,12 +1,13 @@
 // Forces and energy of a grid sheet.
 #include "solver/implicit/grid_sheet.h"
 
+#include <algorithm>
 #include <cstdlib>
+
+#include "solver/implicit/spring_pairs.h"
 
 namespace nuno {
 namespace {
-
-constexpr float kLeastLengthSq = 1e-24f;
 
 // x_b - x_a of a pair, with what the rounded positions leave out.
 NUNO_WIDE_INLINE RowVec difference(const SheetMotion& m, std::size_t a, std::size_t b)
@@ -17,36 +18,26 @@ NUNO_WIDE_INLINE RowVec difference(const SheetMotion& m, std::size_t a, std::siz
 struct PairPointers
 {
     const float *axial, *rest_length, *plate;
-    float *along, *across, *pull;
+    float *along, *across, *pull;  // null where only energies are wanted
+
+    NUNO_WIDE_INLINE PairSprings springs(std::size_t at) const
+    {
+        return {RowLanes(axial + at), RowLanes(rest_length + at), RowLanes(plate + at)};
+    }
 };
 
-// A pair of length l at rest l0: energy k (l - l0)^2 / 2, force k (1 - l0 / l) d, and of its matrix
-// k [n n^T + max(0, 1 - l0 / l) (I - n n^T)]; the damper beta k n n^T; the plate's share w of linear stiffness.
 NUNO_SIMD_CLONES double assemble_pairs(const SheetRows& rows, PairOffset offset, const PairPointers& p,
                                        const SheetMotion& at, const StageTerms& terms, int j)
 {
     RowLanes energy{};
-    const RowLanes damping = row_all(terms.stiffness_damping), rate = row_all(terms.stiffness_damping / terms.tau);
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t a = rows.at(i, j), b = rows.at(i + offset.i, j + offset.j);
-        const RowVec d = difference(at, a, b);
-        const RowLanes axial = row_load(p.axial + a), rest = row_load(p.rest_length + a), plate = row_load(p.plate + a);
-        const RowLanes length_sq = row_max(row_dot(d, d), row_all(kLeastLengthSq)), length = row_sqrt(length_sq);
-        const RowLanes inverse = row_all(1.0f) / length, inverse_sq = inverse * inverse;
-        const RowLanes taut = axial * row_min(row_all(1.0f), rest * inverse);
-        const RowLanes stretch = length - rest;
-        RowLanes pull = axial * stretch * inverse + plate;
-        energy += axial * stretch * stretch + plate * length_sq;
-        RowLanes along = taut * inverse_sq;
-        if (terms.stiffness_damping > 0) {
-            const RowLanes speed = row_dot(d, row_load(at.v, b) - row_load(at.v, a));
-            pull += damping * axial * inverse_sq * speed;
-            along += rate * axial * inverse_sq;
-            energy += row_all(terms.tau) * damping * axial * inverse_sq * speed * speed;
-        }
-        row_store(p.along + a, along);
-        row_store(p.across + a, plate + (axial - taut));
-        row_store(p.pull + a, pull);
+        const RowVec u = terms.stiffness_damping > 0 ? row_load(at.v, b) - row_load(at.v, a) : RowVec{};
+        const PairTerms pair = pair_terms(p.springs(a), difference(at, a, b), u, terms);
+        pair.along.store(p.along + a);
+        pair.across.store(p.across + a);
+        pair.pull.store(p.pull + a);
+        energy = energy + pair.energy;
     }
     return 0.5 * row_sum(energy);
 }
@@ -57,17 +48,12 @@ NUNO_SIMD_CLONES double energy_of_pairs(const SheetRows& rows, PairOffset offset
     RowLanes energy{};
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t a = rows.at(i, j), b = rows.at(i + offset.i, j + offset.j);
-        const RowVec d = difference(to, a, b);
-        const RowLanes axial = row_load(p.axial + a), plate = row_load(p.plate + a);
-        const RowLanes length_sq = row_max(row_dot(d, d), row_all(kLeastLengthSq));
-        const RowLanes stretch = row_sqrt(length_sq) - row_load(p.rest_length + a);
-        energy += axial * stretch * stretch + plate * length_sq;
+        RowVec before{}, u{};
         if (terms.stiffness_damping > 0) {
-            const RowVec before = row_load(from.x, b) - row_load(from.x, a);
-            const RowLanes speed = row_dot(before, row_load(to.v, b) - row_load(to.v, a));
-            energy += row_all(terms.tau * terms.stiffness_damping) * axial * speed * speed /
-                      row_max(row_dot(before, before), row_all(kLeastLengthSq));
+            before = row_load(from.x, b) - row_load(from.x, a);
+            u = row_load(to.v, b) - row_load(to.v, a);
         }
+        energy = energy + pair_energy(p.springs(a), difference(to, a, b), before, u, terms);
     }
     return 0.5 * row_sum(energy);
 }
@@ -76,16 +62,15 @@ NUNO_SIMD_CLONES double energy_of_pairs(const SheetRows& rows, PairOffset offset
 NUNO_SIMD_CLONES void gather_forces(const SheetRows& rows, const std::array<Field, kPairCount>& pull,
                                     const SheetMotion& at, Field3& force, Field3& x, int j)
 {
-    const auto stride = std::size_t(rows.stride);
-    const std::size_t steps[kPairCount] = {1, stride, stride + 1, stride - 1, 2, 2 * stride};
+    const std::array<std::size_t, kPairCount> steps = pair_steps(rows);
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
         RowVec sum{};
 #pragma GCC unroll 6
-        for (int pair = 0; pair < kPairCount; ++pair) {
+        for (std::size_t pair = 0; pair < kPairCount; ++pair) {
             const std::size_t next = place + steps[pair], back = place - steps[pair];
-            sum = sum + row_load(pull[pair].get() + place) * difference(at, place, next);
-            sum = sum + row_load(pull[pair].get() + back) * difference(at, place, back);
+            sum = sum + row_load(pull[pair], place) * difference(at, place, next);
+            sum = sum + row_load(pull[pair], back) * difference(at, place, back);
         }
         row_store(force, place, sum);
         row_store(x, place, row_load(at.x, place));
@@ -111,7 +96,7 @@ GridSheet::GridSheet(const Sheet& sheet)
 void GridSheet::set_springs(const ClothModel& model, std::span<const SpringWeight> weights)
 {
     for (auto* fields : {&axial_, &rest_length_, &matrix_.plate})
-        for (Field& field : *fields) std::fill(field.get(), field.get() + matrix_.rows.size(), 0.0f);
+        for (Field& field : *fields) std::fill(field.begin(), field.end(), 0.0f);
     matrix_.has_plate = false;
     const auto stride = std::ptrdiff_t(matrix_.rows.stride);
     for (std::size_t s = 0; s < model.springs.size(); ++s) {
@@ -134,24 +119,27 @@ void GridSheet::assemble(const SheetMotion& at, const Field& mass, const StageTe
                          std::span<double> row_energy, const Team& team)
 {
     const SheetRows& r = matrix_.rows;
-    const Range part = team.part(r.rows);
-    for (int j = part.begin; j < part.end; ++j) {
+    for_rows(r, team, [&](int j) {
         double energy = 0;
         for (std::size_t k = 0; k < kPairCount; ++k)
             energy += assemble_pairs(r, kPairOffsets[k],
-                                     {axial_[k].get(), rest_length_[k].get(), matrix_.plate[k].get(),
-                                      matrix_.along[k].get(), matrix_.across[k].get(), pull_[k].get()},
+                                     {.axial = axial_[k].data(),
+                                      .rest_length = rest_length_[k].data(),
+                                      .plate = matrix_.plate[k].data(),
+                                      .along = matrix_.along[k].data(),
+                                      .across = matrix_.across[k].data(),
+                                      .pull = pull_[k].data()},
                                      at, terms, j);
         row_energy[std::size_t(j)] = energy;
-        std::memcpy(matrix_.mass.get() + r.at(0, j), mass.get() + r.at(0, j), std::size_t(r.width) * sizeof(float));
-    }
+        std::copy_n(&mass[r.at(0, j)], r.width, &matrix_.mass[r.at(0, j)]);
+    });
     team.wait();
     if (team.leads()) {
         matrix_.fixed.clear();
         for (const std::size_t place : places_)
             if (mass[place] <= 0) matrix_.fixed.push_back(place);
     }
-    for (int j = part.begin; j < part.end; ++j) gather_forces(r, pull_, at, force, matrix_.x, j);
+    for_rows(r, team, [&](int j) { gather_forces(r, pull_, at, force, matrix_.x, j); });
     team.wait();
     invert_diagonal(matrix_, team);
     multigrid_.coarsen(matrix_, team);
@@ -160,16 +148,19 @@ void GridSheet::assemble(const SheetMotion& at, const Field& mass, const StageTe
 void GridSheet::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
                             std::span<double> row_energy, const Team& team) const
 {
-    const Range part = team.part(matrix_.rows.rows);
-    for (int j = part.begin; j < part.end; ++j) {
+    for_rows(matrix_.rows, team, [&](int j) {
         double energy = 0;
         for (std::size_t k = 0; k < kPairCount; ++k)
-            energy += energy_of_pairs(
-                matrix_.rows, kPairOffsets[k],
-                {axial_[k].get(), rest_length_[k].get(), matrix_.plate[k].get(), nullptr, nullptr, nullptr}, from, to,
-                terms, j);
+            energy += energy_of_pairs(matrix_.rows, kPairOffsets[k],
+                                      {.axial = axial_[k].data(),
+                                       .rest_length = rest_length_[k].data(),
+                                       .plate = matrix_.plate[k].data(),
+                                       .along = nullptr,
+                                       .across = nullptr,
+                                       .pull = nullptr},
+                                      from, to, terms, j);
         row_energy[std::size_t(j)] = energy;
-    }
+    });
 }
 
 void GridSheet::apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const

@@ -1,6 +1,9 @@
 // A grid sheet as the implicit methods see it: pairs of neighbours in rows, multigrid.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "model/cloth_model.h"
 #include "solver/implicit/grid_multigrid.h"
 #include "solver/implicit/sheet_system.h"

@@ -1,7 +1,9 @@
 // Newton's method on the stages of implicit methods.
 #include "solver/implicit/implicit_sheet.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nuno {
 namespace {
@@ -26,7 +28,7 @@ NUNO_SIMD_CLONES void move_row(const SheetRows& rows, const SheetMotion& from, f
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
         RowVec x = row_load(from.x, place), low = row_load(from.x_low, place);
-        const RowVec step = row_all(s) * row_load(v, place);
+        const RowVec step = RowLanes(s) * row_load(v, place);
         add_exactly(x.x, low.x, step.x);
         add_exactly(x.y, low.y, step.y);
         add_exactly(x.z, low.z, step.z);
@@ -35,27 +37,19 @@ NUNO_SIMD_CLONES void move_row(const SheetRows& rows, const SheetMotion& from, f
     }
 }
 
-NUNO_SIMD_CLONES void add_row(const SheetRows& rows, const Field3& a, float s, const Field3& b, Field3& to, int j)
-{
-    for (int i = 0; i < rows.width; i += kRowLanes) {
-        const std::size_t place = rows.at(i, j);
-        row_store(to, place, row_load(a, place) + row_all(s) * row_load(b, place));
-    }
-}
-
 void copy_row(const SheetRows& rows, const Field3& from, Field3& to, int j)
 {
-    const std::size_t place = rows.at(0, j), bytes = std::size_t(rows.width) * sizeof(float);
-    std::memcpy(to.x.get() + place, from.x.get() + place, bytes);
-    std::memcpy(to.y.get() + place, from.y.get() + place, bytes);
-    std::memcpy(to.z.get() + place, from.z.get() + place, bytes);
+    const std::size_t place = rows.at(0, j);
+    std::copy_n(&from.x[place], rows.width, &to.x[place]);
+    std::copy_n(&from.y[place], rows.width, &to.y[place]);
+    std::copy_n(&from.z[place], rows.width, &to.z[place]);
 }
 
 NUNO_SIMD_CLONES void scale_row(const SheetRows& rows, float s, const Field3& a, Field3& to, int j)
 {
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
-        row_store(to, place, row_all(s) * row_load(a, place));
+        row_store(to, place, RowLanes(s) * row_load(a, place));
     }
 }
 
@@ -70,9 +64,9 @@ struct LoadInputs
 
 NUNO_WIDE_INLINE RowVec outer_force(const LoadInputs& in, std::size_t place, const RowLanes& inertia)
 {
-    const RowLanes area = row_load(in.area.get() + place);
-    const RowVec weight{inertia * row_all(in.settings.gravity[0]), inertia * row_all(in.settings.gravity[1]),
-                        inertia * row_all(in.settings.gravity[2]) + area * row_all(in.settings.wind)};
+    const RowLanes area = row_load(in.area, place);
+    const RowVec weight{inertia * RowLanes(in.settings.gravity[0]), inertia * RowLanes(in.settings.gravity[1]),
+                        inertia * RowLanes(in.settings.gravity[2]) + area * RowLanes(in.settings.wind)};
     return weight + row_load(in.air, place);
 }
 
@@ -82,12 +76,11 @@ NUNO_SIMD_CLONES double mass_row(const LoadInputs& in, Field& mass, int j)
     RowLanes load{};
     for (int i = 0; i < in.rows.width; i += kRowLanes) {
         const std::size_t place = in.rows.at(i, j);
-        const RowLanes inertia = row_load(in.inertia.get() + place), none{};
-        const RowLanes rate = row_all(1.0f / in.tau),
-                       drag = row_all(in.settings.damping) * row_load(in.area.get() + place);
-        row_store(mass.get() + place, inertia > none ? (inertia * rate + drag) * rate : none);
+        const RowLanes inertia = row_load(in.inertia, place), none{};
+        const RowLanes rate = RowLanes(1.0f / in.tau), drag = RowLanes(in.settings.damping) * row_load(in.area, place);
+        row_store(mass, place, select_positive(inertia, (inertia * rate + drag) * rate, none));
         const RowVec outer = outer_force(in, place, inertia);
-        load += inertia > none ? row_dot(outer, outer) / inertia : none;
+        load = load + select_positive(inertia, row_dot(outer, outer) / inertia, none);
     }
     return row_sum(load) * double(in.tau) * double(in.tau);
 }
@@ -95,16 +88,15 @@ NUNO_SIMD_CLONES double mass_row(const LoadInputs& in, Field& mass, int j)
 // r = spring forces (in r) + loads - c v - m (v - w) / tau, 0 where held.
 NUNO_SIMD_CLONES void residual_row(const LoadInputs& in, const Field3& v, const Field3& goal, Field3& r, int j)
 {
-    const RowLanes rate = row_all(1.0f / in.tau), none{};
+    const RowLanes rate(1.0f / in.tau);
     for (int i = 0; i < in.rows.width; i += kRowLanes) {
         const std::size_t place = in.rows.at(i, j);
-        const RowLanes inertia = row_load(in.inertia.get() + place);
-        const RowLanes drag = row_all(in.settings.damping) * row_load(in.area.get() + place);
+        const RowLanes inertia = row_load(in.inertia, place);
+        const RowLanes drag = RowLanes(in.settings.damping) * row_load(in.area, place);
         const RowVec speed = row_load(v, place);
         const RowVec sum = row_load(r, place) + outer_force(in, place, inertia) - drag * speed -
                            (inertia * rate) * (speed - row_load(goal, place));
-        row_store(r, place,
-                  {inertia > none ? sum.x : none, inertia > none ? sum.y : none, inertia > none ? sum.z : none});
+        row_store(r, place, select_positive(inertia, sum, RowVec{}));
     }
 }
 
@@ -115,21 +107,14 @@ NUNO_SIMD_CLONES double energy_row(const LoadInputs& in, const Field3& v, const 
     RowLanes energy{};
     for (int i = 0; i < in.rows.width; i += kRowLanes) {
         const std::size_t place = in.rows.at(i, j);
-        const RowLanes inertia = row_load(in.inertia.get() + place), half = row_all(0.5f), none{};
-        const RowLanes drag = row_all(in.tau * in.settings.damping) * row_load(in.area.get() + place);
+        const RowLanes inertia = row_load(in.inertia, place), half = RowLanes(0.5f), none{};
+        const RowLanes drag = RowLanes(in.tau * in.settings.damping) * row_load(in.area, place);
         const RowVec speed = row_load(v, place), change = speed - row_load(goal, place);
         const RowLanes sum = half * (inertia * row_dot(change, change) + drag * row_dot(speed, speed)) -
-                             row_all(share) * row_dot(outer_force(in, place, inertia), row_load(d, place));
-        energy += inertia > none ? sum : none;
+                             RowLanes(share) * row_dot(outer_force(in, place, inertia), row_load(d, place));
+        energy = energy + select_positive(inertia, sum, none);
     }
     return row_sum(energy);
-}
-
-template <typename Row>
-void for_rows(const SheetRows& rows, const Team& team, Row row)
-{
-    const Range part = team.part(rows.rows);
-    for (int j = part.begin; j < part.end; ++j) row(j);
 }
 
 }  // namespace
@@ -158,10 +143,8 @@ void ImplicitSheet::set_load(float tau, const StageSettings& settings, const Tea
 void ImplicitSheet::try_step(float tau, float share, const Team& team)
 {
     const SheetRows& rows = system_->rows();
-    for_rows(rows, team, [&](int j) {
-        move_row(rows, at_, share, d_, trial_, j);
-        add_row(rows, at_.v, share / tau, d_, trial_.v, j);
-    });
+    for_rows(rows, team, [&](int j) { move_row(rows, at_, share, d_, trial_, j); });
+    add_scaled(rows, at_.v, share / tau, d_, trial_.v, team);
     team.wait();
 }
 
@@ -192,20 +175,19 @@ void ImplicitSheet::solve_stage(float tau, const StageSettings& settings, const 
         team.wait();
         const SolveResult solved = solver_.solve(*system_, r_, d_, limits, team);
         limits = {solved.target_sq, 0, kMostIterations};
-        const int halvings = take_step(tau, settings, before, solved.target_sq, team);
-        if (team.leads()) count(solved, halvings);
+        take_step(tau, settings, before, solved.target_sq, team);
+        if (team.leads()) count(solved);
         team.wait();
         if (solved.iterations == 0 && step > 0) break;
     }
 }
 
-// at_ += share d_, the share halved until the energy of the stage does not rise. Returns how often.
-int ImplicitSheet::take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team)
+// at_ += share d_, the share halved until the energy of the stage does not rise.
+void ImplicitSheet::take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team)
 {
     const StageTerms terms{tau, settings.stiffness_damping};
     float share = 1;
-    int halvings = 0;
-    for (;; share *= 0.5f, ++halvings) {
+    for (int halvings = 0;; share *= 0.5f, ++halvings) {
         try_step(tau, share, team);
         system_->step_energy(at_, trial_, terms, row_energy_, team);
         const double after = other_energy(tau, settings, trial_, share, team);
@@ -215,16 +197,13 @@ int ImplicitSheet::take_step(float tau, const StageSettings& settings, double be
     team.wait();
     if (team.leads()) std::swap(at_, trial_);
     team.wait();
-    return halvings;
 }
 
-void ImplicitSheet::count(const SolveResult& solved, int halvings)
+void ImplicitSheet::count(const SolveResult& solved)
 {
     ++counts_.solves;
     counts_.iterations += solved.iterations;
-    counts_.most_iterations = std::max(counts_.most_iterations, long(solved.iterations));
     counts_.capped += solved.iterations == kMostIterations;
-    counts_.shortened += halvings > 0;
 }
 
 // The stage begins where the sheet is, the springs' directions with it: from where its velocity would carry it, waves
@@ -262,9 +241,9 @@ void ImplicitSheet::sdirk2(float h, const StageSettings& first, const StageSetti
     const auto ratio = static_cast<float>((1 - gamma) / gamma), back = static_cast<float>((2 * gamma - 1) / gamma);
     start_first_stage(tau, team);
     solve_stage(tau, first, team);
+    add_scaled(rows, now_.v, -ratio, now_.v, goal_, team);
+    add_scaled(rows, goal_, ratio, at_.v, goal_, team);
     for_rows(rows, team, [&](int j) {
-        add_row(rows, now_.v, -ratio, now_.v, goal_, j);
-        add_row(rows, goal_, ratio, at_.v, goal_, j);
         scale_row(rows, rest, at_.v, guess_, j);
         scale_row(rows, back, at_.v, at_.v, j);
     });

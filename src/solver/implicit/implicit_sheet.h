@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "solver/implicit/conjugate_gradients.h"
 #include "solver/implicit/sheet_system.h"
@@ -14,18 +15,16 @@ struct StageSettings
     float gravity[3];         // [m/s2]
     float wind;               // pressure along z [N/m2]
     float damping;            // to still air [kg/(m2 s)]
-    float areal_density;      // [kg/m2]
     float stiffness_damping;  // [s]
     double tolerance;         // energy of the error that a solve may leave, of that which the loads give in a stage
     int newton_steps;
 };
 
-// Sums over the solves since they were last cleared.
+// Sums over all solves.
 struct SolveCounts
 {
-    long solves = 0, iterations = 0, most_iterations = 0;
-    long capped = 0;     // solves that stopped at the cap on iterations
-    long shortened = 0;  // Newton steps that the step check shortened
+    long solves = 0, iterations = 0;
+    long capped = 0;  // solves that stopped at the cap on iterations
 };
 
 class ImplicitSheet
@@ -40,7 +39,7 @@ class ImplicitSheet
     Field& inertia() { return inertia_; }  // mass [kg], 0: held
     Field& area() { return area_; }        // [m2]
     Field3& air() { return air_; }         // force of moving air [N], held through a step
-    SolveCounts& counts() { return counts_; }
+    const SolveCounts& counts() const { return counts_; }
 
     // The functions below are called by every thread of the team.
 
@@ -56,10 +55,10 @@ class ImplicitSheet
     void solve_stage(float tau, const StageSettings& settings, const Team& team);
     void start_first_stage(float tau, const Team& team);
     void set_load(float tau, const StageSettings& settings, const Team& team);
-    int take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team);
+    void take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team);
     void try_step(float tau, float share, const Team& team);
     double other_energy(float tau, const StageSettings& settings, const SheetMotion& at, float share, const Team& team);
-    void count(const SolveResult& solved, int halvings);
+    void count(const SolveResult& solved);
 
     std::unique_ptr<SheetSystem> system_;
     ConjugateGradients solver_;

@@ -1,6 +1,7 @@
 // A grid laid over a flat mesh.
 #include "solver/implicit/mesh_overlay.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>

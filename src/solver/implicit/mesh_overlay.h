@@ -1,7 +1,9 @@
 // A grid laid over a flat mesh at rest, as the next coarser level of its matrix.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/cloth_model.h"

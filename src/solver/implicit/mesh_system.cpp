@@ -1,20 +1,20 @@
 // Forces, energy and matrix of a sheet that is no grid.
 #include "solver/implicit/mesh_system.h"
 
-#include <cmath>
+#include <algorithm>
+
+#include "solver/implicit/spring_pairs.h"
 
 namespace nuno {
 namespace {
 
 constexpr int kMeshColumns = 256;
-constexpr float kJacobiWeight = 0.7f;
-constexpr float kLeastLengthSq = 1e-24f;
 
 NUNO_WIDE_INLINE RowLanes gather(const Field& a, const std::uint32_t* places)
 {
-    float values[kRowLanes];
-    for (int lane = 0; lane < kRowLanes; ++lane) values[lane] = a[places[lane]];
-    return row_load(values);
+    RowLanes values;
+    for (int lane = 0; lane < kRowLanes; ++lane) values.lanes[lane] = a[places[lane]];
+    return values;
 }
 
 NUNO_WIDE_INLINE RowVec gather(const Field3& a, const std::uint32_t* places)
@@ -27,37 +27,43 @@ NUNO_WIDE_INLINE RowVec difference(const SheetMotion& m, std::size_t place, cons
     return (gather(m.x, neighbours) - row_load(m.x, place)) + (gather(m.x_low, neighbours) - row_load(m.x_low, place));
 }
 
-// As assemble_pairs of a grid, at both ends of each pair; each end counts half of the energy.
-NUNO_SIMD_CLONES double assemble_row(const SheetRows& rows, MeshPairs& p, const SheetMotion& at, const Field& mass,
-                                     const StageTerms& terms, Field3& force, Field6& inverse_diagonal, int j)
+// What assemble_row reads and fills beside the pairs.
+struct MeshTarget
+{
+    const Field& mass;
+    Field3& force;
+    Field6& inverse_diagonal;
+};
+
+NUNO_WIDE_INLINE PairSprings springs_at(const MeshPairs& p, std::size_t entry)
+{
+    return {row_load(p.axial, entry), row_load(p.rest_length, entry), row_load(p.plate, entry)};
+}
+
+// Pairs are met at both ends; each counts half of their energy.
+NUNO_SIMD_CLONES double assemble_row(const SheetRows& rows, MeshPairs& p, const SheetMotion& at, const MeshTarget& to,
+                                     const StageTerms& terms, int j)
 {
     RowLanes energy{};
-    const RowLanes beta = row_all(terms.stiffness_damping), rate = row_all(terms.stiffness_damping / terms.tau);
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t place = rows.at(i, j);
-        const RowLanes own = row_load(mass.get() + place), none{};
+        const RowLanes own = row_load(to.mass, place);
         RowVec sum{};
-        RowMatrix diagonal{own, none, none, own, none, own};
+        RowMatrix diagonal = row_diagonal(own);
         for (int slot = 0; slot < p.slots_of_row[std::size_t(j)]; ++slot) {
             const std::size_t entry = std::size_t(slot) * p.size + place;
             const std::uint32_t* neighbours = &p.neighbours[entry];
             const RowVec d = difference(at, place, neighbours);
-            const RowLanes axial = row_load(&p.axial[entry]), rest = row_load(&p.rest_length[entry]);
-            const RowLanes plate = row_load(&p.plate[entry]);
-            const RowLanes length_sq = row_max(row_dot(d, d), row_all(kLeastLengthSq)), length = row_sqrt(length_sq);
-            const RowLanes inverse = row_all(1.0f) / length, inverse_sq = inverse * inverse;
-            const RowLanes taut = axial * row_min(row_all(1.0f), rest * inverse), stretch = length - rest;
-            const RowLanes speed = row_dot(d, gather(at.v, neighbours) - row_load(at.v, place));
-            const RowLanes damper = beta * axial * inverse_sq * speed;
-            const RowLanes along = taut * inverse_sq + rate * axial * inverse_sq, across = plate + (axial - taut);
-            energy += axial * stretch * stretch + plate * length_sq + row_all(terms.tau) * damper * speed;
-            sum = sum + (axial * stretch * inverse + plate + damper) * d;
-            diagonal = diagonal + row_outer(d, along, row_max(across, -across));
-            row_store(&p.along[entry], along);
-            row_store(&p.across[entry], across);
+            const RowVec u = terms.stiffness_damping > 0 ? gather(at.v, neighbours) - row_load(at.v, place) : RowVec{};
+            const PairTerms pair = pair_terms(springs_at(p, entry), d, u, terms);
+            energy = energy + pair.energy;
+            sum = sum + pair.pull * d;
+            diagonal = diagonal + row_outer(d, pair.along, max_real(pair.across, -pair.across));
+            row_store(p.along, entry, pair.along);
+            row_store(p.across, entry, pair.across);
         }
-        row_store(force, place, sum);
-        row_store(inverse_diagonal, place, row_inverse(diagonal, own));
+        row_store(to.force, place, sum);
+        row_store(to.inverse_diagonal, place, row_inverse(diagonal, own));
     }
     return 0.25 * row_sum(energy);
 }
@@ -71,39 +77,15 @@ NUNO_SIMD_CLONES double energy_of_row(const SheetRows& rows, const MeshPairs& p,
         for (int slot = 0; slot < p.slots_of_row[std::size_t(j)]; ++slot) {
             const std::size_t entry = std::size_t(slot) * p.size + place;
             const std::uint32_t* neighbours = &p.neighbours[entry];
-            const RowVec d = difference(to, place, neighbours);
-            const RowLanes axial = row_load(&p.axial[entry]);
-            const RowLanes length_sq = row_max(row_dot(d, d), row_all(kLeastLengthSq));
-            const RowLanes stretch = row_sqrt(length_sq) - row_load(&p.rest_length[entry]);
-            energy += axial * stretch * stretch + row_load(&p.plate[entry]) * length_sq;
+            RowVec before{}, u{};
             if (terms.stiffness_damping > 0) {
-                const RowVec before = gather(from.x, neighbours) - row_load(from.x, place);
-                const RowLanes speed = row_dot(before, gather(to.v, neighbours) - row_load(to.v, place));
-                energy += row_all(terms.tau * terms.stiffness_damping) * axial * speed * speed /
-                          row_max(row_dot(before, before), row_all(kLeastLengthSq));
+                before = gather(from.x, neighbours) - row_load(from.x, place);
+                u = gather(to.v, neighbours) - row_load(to.v, place);
             }
+            energy = energy + pair_energy(springs_at(p, entry), difference(to, place, neighbours), before, u, terms);
         }
     }
     return 0.25 * row_sum(energy);
-}
-
-NUNO_WIDE_INLINE RowVec product_at(const MeshPairs& p, const Field& mass, const Field3& x, const Field3& u,
-                                   std::size_t place, int slots)
-{
-    const RowVec at = row_load(x, place), own = row_load(u, place);
-    RowVec sum = row_load(mass.get() + place) * own;
-    for (int slot = 0; slot < slots; ++slot) {
-        const std::size_t entry = std::size_t(slot) * p.size + place;
-        const RowVec d = at - gather(x, &p.neighbours[entry]), du = own - gather(u, &p.neighbours[entry]);
-        sum = sum + (row_load(&p.along[entry]) * row_dot(d, du)) * d + row_load(&p.across[entry]) * du;
-    }
-    return sum;
-}
-
-NUNO_WIDE_INLINE RowVec where_free(const Field& mass, std::size_t i, const RowVec& v)
-{
-    const auto free = row_load(mass.get() + i) > RowLanes{};
-    return {free ? v.x : RowLanes{}, free ? v.y : RowLanes{}, free ? v.z : RowLanes{}};
 }
 
 struct Matrix
@@ -115,15 +97,32 @@ struct Matrix
     const Field6& inverse_diagonal;
 };
 
+NUNO_WIDE_INLINE RowVec product_at(const Matrix& a, const Field3& u, std::size_t place, int j)
+{
+    const MeshPairs& p = a.pairs;
+    const RowVec at = row_load(a.x, place), own = row_load(u, place);
+    RowVec sum = row_load(a.mass, place) * own;
+    for (int slot = 0; slot < p.slots_of_row[std::size_t(j)]; ++slot) {
+        const std::size_t entry = std::size_t(slot) * p.size + place;
+        const RowVec d = at - gather(a.x, &p.neighbours[entry]), du = own - gather(u, &p.neighbours[entry]);
+        sum = sum + (row_load(p.along, entry) * row_dot(d, du)) * d + row_load(p.across, entry) * du;
+    }
+    return sum;
+}
+
+NUNO_WIDE_INLINE RowVec where_free(const Matrix& a, std::size_t i, const RowVec& v)
+{
+    return select_positive(row_load(a.mass, i), v, RowVec{});
+}
+
 NUNO_SIMD_CLONES double apply_row(const Matrix& a, const Field3& p, Field3& q, int j)
 {
     RowLanes sum{};
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        const RowVec y =
-            where_free(a.mass, place, product_at(a.pairs, a.mass, a.x, p, place, a.pairs.slots_of_row[std::size_t(j)]));
+        const RowVec y = where_free(a, place, product_at(a, p, place, j));
         row_store(q, place, y);
-        sum += row_dot(row_load(p, place), y);
+        sum = sum + row_dot(row_load(p, place), y);
     }
     return row_sum(sum);
 }
@@ -133,13 +132,12 @@ NUNO_SIMD_CLONES void defect_row(const Matrix& a, const Field3& u, const Field3&
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        const RowVec defect =
-            row_load(r, place) - product_at(a.pairs, a.mass, a.x, u, place, a.pairs.slots_of_row[std::size_t(j)]);
+        const RowVec defect = row_load(r, place) - product_at(a, u, place, j);
         if (smooths)
             row_store(to, place,
-                      row_load(u, place) + row_all(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect));
+                      row_load(u, place) + RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect));
         else
-            row_store(to, place, where_free(a.mass, place, defect));
+            row_store(to, place, where_free(a, place, defect));
     }
 }
 
@@ -147,13 +145,13 @@ NUNO_SIMD_CLONES void scale_row(const Matrix& a, float weight, const Field3& r, 
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        row_store(to, place, row_all(weight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
+        row_store(to, place, RowLanes(weight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
     }
 }
 
 void copy_in(const SheetRows& rows, const Field& from, Field& to, int j)
 {
-    std::memcpy(to.get() + rows.at(0, j), from.get() + rows.at(0, j), std::size_t(rows.width) * sizeof(float));
+    std::copy_n(&from[rows.at(0, j)], rows.width, &to[rows.at(0, j)]);
 }
 
 // The block of a pair, without what would make it indefinite.
@@ -235,14 +233,13 @@ void MeshSystem::set_springs(const ClothModel& model, std::span<const SpringWeig
 void MeshSystem::assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
                           std::span<double> row_energy, const Team& team)
 {
-    const Range part = team.part(rows_.rows);
-    for (int j = part.begin; j < part.end; ++j) {
-        row_energy[std::size_t(j)] = assemble_row(rows_, pairs_, at, mass, terms, force, inverse_diagonal_, j);
+    for_rows(rows_, team, [&](int j) {
+        row_energy[std::size_t(j)] = assemble_row(rows_, pairs_, at, {mass, force, inverse_diagonal_}, terms, j);
         copy_in(rows_, mass, mass_, j);
         copy_in(rows_, at.x.x, x_.x, j);
         copy_in(rows_, at.x.y, x_.y, j);
         copy_in(rows_, at.x.z, x_.z, j);
-    }
+    });
     team.wait();
     if (!overlay_) return;
     const std::vector<OverlayPair>& pairs = overlay_->pairs();
@@ -268,32 +265,26 @@ void MeshSystem::assemble(const SheetMotion& at, const Field& mass, const StageT
 void MeshSystem::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
                              std::span<double> row_energy, const Team& team) const
 {
-    const Range part = team.part(rows_.rows);
-    for (int j = part.begin; j < part.end; ++j)
-        row_energy[std::size_t(j)] = energy_of_row(rows_, pairs_, from, to, terms, j);
+    for_rows(rows_, team,
+             [&](int j) { row_energy[std::size_t(j)] = energy_of_row(rows_, pairs_, from, to, terms, j); });
 }
 
 void MeshSystem::apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const
 {
     const Matrix a{rows_, pairs_, mass_, x_, inverse_diagonal_};
-    const Range part = team.part(rows_.rows);
-    for (int j = part.begin; j < part.end; ++j) row_dots[std::size_t(j)] = apply_row(a, p, q, j);
+    for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = apply_row(a, p, q, j); });
 }
 
 void MeshSystem::precondition(const Field3& r, Field3& z, Field3& t, const Team& team)
 {
     const Matrix a{rows_, pairs_, mass_, x_, inverse_diagonal_};
-    const Range part = team.part(rows_.rows);
-    if (!overlay_) {
-        for (int j = part.begin; j < part.end; ++j) scale_row(a, 1.0f, r, z, j);
-        return;
-    }
-    for (int j = part.begin; j < part.end; ++j) scale_row(a, kJacobiWeight, r, t, j);
+    if (!overlay_) return for_rows(rows_, team, [&](int j) { scale_row(a, 1.0f, r, z, j); });
+    for_rows(rows_, team, [&](int j) { scale_row(a, kJacobiWeight, r, t, j); });
     team.wait();
-    for (int j = part.begin; j < part.end; ++j) defect_row(a, t, r, false, z, j);
+    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, false, z, j); });
     team.wait();
     overlay_->correct(mass_, z, t, rows_, team);
-    for (int j = part.begin; j < part.end; ++j) defect_row(a, t, r, true, z, j);
+    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, true, z, j); });
 }
 
 }  // namespace nuno

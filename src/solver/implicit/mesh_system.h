@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "model/cloth_model.h"
 #include "solver/implicit/mesh_overlay.h"
@@ -18,8 +19,8 @@ struct MeshPairs
     std::vector<int> slots_of_row;
     std::vector<std::uint32_t> neighbours;  // places
     std::vector<std::uint32_t> springs;     // of the model; SpringTable::kNoSpring
-    std::vector<float> axial, rest_length, plate;
-    std::vector<float> along, across, pull;  // as GridMatrix and GridSheet have them, at the last assemble
+    Field axial, rest_length, plate;
+    Field along, across;  // as GridMatrix has them, at the last assemble
 };
 
 class MeshSystem final : public SheetSystem
@@ -36,8 +37,6 @@ class MeshSystem final : public SheetSystem
                      std::span<double> row_energy, const Team& team) const override;
     void apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const override;
     void precondition(const Field3& r, Field3& z, Field3& t, const Team& team) override;
-
-    bool has_coarse_levels() const { return overlay_.has_value(); }
 
   private:
     std::uint32_t first_vertex_;

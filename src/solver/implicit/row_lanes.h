@@ -2,54 +2,26 @@
 // sixteen partial sums, whatever the machine's vectors are, so that the bits are the same everywhere.
 #pragma once
 
-#include <cmath>
-#include <cstring>
-
-#include "model/wide.h"
+#include "model/formulas.h"
 
 namespace nuno {
 
 constexpr int kRowLanes = 16;
 
-typedef float RowLanes __attribute__((vector_size(kRowLanes * sizeof(float))));
+using RowLanes = Wide<kRowLanes>;
+using RowVec = WideVec<kRowLanes>;
 
-NUNO_WIDE_INLINE RowLanes row_load(const float* from)
+NUNO_WIDE_INLINE RowLanes row_dot(const RowVec& a, const RowVec& b)
 {
-    RowLanes a;
-    std::memcpy(&a, from, sizeof a);
-    return a;
-}
-
-NUNO_WIDE_INLINE void row_store(float* to, const RowLanes& a) { std::memcpy(to, &a, sizeof a); }
-
-NUNO_WIDE_INLINE RowLanes row_all(float a) { return a - RowLanes{}; }
-
-NUNO_WIDE_INLINE RowLanes row_min(const RowLanes& a, const RowLanes& b) { return a < b ? a : b; }
-NUNO_WIDE_INLINE RowLanes row_max(const RowLanes& a, const RowLanes& b) { return a > b ? a : b; }
-
-NUNO_WIDE_INLINE RowLanes row_sqrt(const RowLanes& a)
-{
-    RowLanes root;
-    for (int i = 0; i < kRowLanes; ++i) root[i] = std::sqrt(a[i]);
-    return root;
+    return WideFormulas<kRowLanes>::dot_product(a, b);
 }
 
 NUNO_WIDE_INLINE double row_sum(const RowLanes& a)
 {
     double sum = 0;
-    for (int i = 0; i < kRowLanes; ++i) sum += double(a[i]);
+    for (int i = 0; i < kRowLanes; ++i) sum += double(a.lanes[i]);
     return sum;
 }
-
-struct RowVec
-{
-    RowLanes x, y, z;
-};
-
-NUNO_WIDE_INLINE RowVec operator+(const RowVec& a, const RowVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-NUNO_WIDE_INLINE RowVec operator-(const RowVec& a, const RowVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-NUNO_WIDE_INLINE RowVec operator*(const RowLanes& s, const RowVec& a) { return {s * a.x, s * a.y, s * a.z}; }
-NUNO_WIDE_INLINE RowLanes row_dot(const RowVec& a, const RowVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 struct RowMatrix
 {
@@ -72,6 +44,13 @@ NUNO_WIDE_INLINE RowMatrix operator*(const RowLanes& s, const RowMatrix& a)
     return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
 }
 
+// t I.
+NUNO_WIDE_INLINE RowMatrix row_diagonal(const RowLanes& t)
+{
+    const RowLanes none{};
+    return {t, none, none, t, none, t};
+}
+
 // s (d d^T) + t I.
 NUNO_WIDE_INLINE RowMatrix row_outer(const RowVec& d, const RowLanes& s, const RowLanes& t)
 {
@@ -83,13 +62,13 @@ NUNO_WIDE_INLINE RowMatrix row_outer(const RowVec& d, const RowLanes& s, const R
 // by a few millionths of the trace, so that rounding leaves it definite however thin the matrix is.
 NUNO_WIDE_INLINE RowMatrix row_inverse(const RowMatrix& a, const RowLanes& keep)
 {
-    const RowLanes unit = row_all(1.0f) / (keep > RowLanes{} ? a.xx + a.yy + a.zz : row_all(1.0f));
-    const RowLanes raise = row_all(3e-6f);
+    const RowLanes one(1.0f), raise(3e-6f);
+    const RowLanes unit = one / select_positive(keep, a.xx + a.yy + a.zz, one);
     const RowMatrix m = unit * a;
     const RowLanes xx = m.xx + raise, yy = m.yy + raise, zz = m.zz + raise;
     const RowLanes c0 = yy * zz - m.yz * m.yz, c1 = m.xz * m.yz - m.xy * zz, c2 = m.xy * m.yz - m.xz * yy;
-    const RowLanes determinant = row_max(xx * c0 + m.xy * c1 + m.xz * c2, row_all(1e-12f));
-    const RowLanes scale = keep > RowLanes{} ? unit / determinant : RowLanes{};
+    const RowLanes determinant = max_real(xx * c0 + m.xy * c1 + m.xz * c2, RowLanes(1e-12f));
+    const RowLanes scale = select_positive(keep, unit / determinant, RowLanes{});
     return scale * RowMatrix{c0, c1, c2, xx * zz - m.xz * m.xz, m.xy * m.xz - xx * m.yz, xx * yy - m.xy * m.xy};
 }
 

@@ -1,12 +1,9 @@
-// How the vertices of a sheet lie in the arrays of the implicit methods, and who works on which rows.
+// How the vertices of a sheet lie in the arrays of the implicit methods.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <span>
-#include <vector>
 
-#include "core/thread_pool.h"
+#include "solver/base/team.h"
 #include "solver/implicit/row_fields.h"
 
 namespace nuno {
@@ -37,34 +34,16 @@ struct SheetRows
     std::size_t size() const { return std::size_t(rows + 2 * kMargin + 1) * std::size_t(stride) + 2 * kRowLanes; }
 };
 
-// The threads that work on one sheet together. What they compute does not depend on their number: each row is worked on
-// as a whole, and sums run over the rows in order.
-class Team
+// Calls row(j) for every row of this thread's part. Each row is worked on as a whole, and sums run over the rows in
+// order, so that the threads' number changes no bit.
+template <class Row>
+void for_rows(const SheetRows& rows, const Team& team, const Row& row)
 {
-  public:
-    Team(int thread, int thread_count, SpinBarrier* barrier)
-        : thread_(thread), thread_count_(thread_count), barrier_(barrier)
-    {
-    }
+    const Range part = team.part(rows.rows);
+    for (int j = part.begin; j < part.end; ++j) row(j);
+}
 
-    bool leads() const { return thread_ == 0; }
-    Range part(int row_count) const { return part_of(row_count, 1, thread_, thread_count_); }
-    void wait() const
-    {
-        if (barrier_) barrier_->arrive_and_wait();
-    }
-    // Sum of what each row has put in, once all have; no row may be written again before the next wait.
-    double sum(std::span<const double> rows) const
-    {
-        wait();
-        double total = 0;
-        for (const double row : rows) total += row;
-        return total;
-    }
-
-  private:
-    int thread_, thread_count_;
-    SpinBarrier* barrier_;
-};
+// Damped Jacobi, as all levels are smoothed by it: the share of D^-1 r that a step takes.
+constexpr float kJacobiWeight = 0.7f;
 
 }  // namespace nuno

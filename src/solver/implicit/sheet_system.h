@@ -1,9 +1,7 @@
 // What an implicit step needs of a sheet, however its vertices are arranged: forces, energy, and a linear system.
 #pragma once
 
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "model/spring_weights.h"
 #include "solver/implicit/sheet_rows.h"

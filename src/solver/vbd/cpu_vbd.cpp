@@ -14,9 +14,7 @@ struct CpuVbd::Substep
     Lanes3 x, v;  // x: first the start of the descent, in the end the new state; v: the new state
     Lanes3 moves, targets;
     float* mobility;
-    const std::uint32_t* anchors;  // null: no tethers
-    const float* tether_lengths;
-    std::int32_t place_count;
+    TetherLanes tethers;
 };
 
 namespace {
@@ -37,13 +35,7 @@ NUNO_SIMD_CLONES void predict_blocks(const CpuVbd::Substep& s, Range blocks)
                                    WideFloat(0.0f), v, faces, area * WideFloat(s.forces.wind));
         const WideFloat keep = Formulas::vbd_keep(inverse_mass, area * WideFloat(s.forces.damping), h);
         const Formulas::Motion free = Formulas::vbd_free_motion(x, v, a, keep, h);
-        WideVec3 to = free.position;
-        if (s.anchors)
-            for (int k = 0; k < kTethersPerVertex; ++k) {
-                const std::int32_t entry = k * s.place_count + i;
-                to = Formulas::tethered(to, gather(s.forces.x, s.anchors + entry), WideFloat(s.tether_lengths + entry));
-            }
-        to = select_positive(inverse_mass, to, x);
+        const WideVec3 to = select_positive(inverse_mass, within_tethers(s.tethers, s.forces.x, i, free.position), x);
         const WideVec3 target = h * free.velocity + select_positive(inverse_mass, to - free.position, WideVec3(0.0f));
         store(s.x, i, to);
         store(s.moves, i, target);
@@ -61,17 +53,14 @@ NUNO_SIMD_CLONES void descend_blocks(const CpuVbd::Substep& s, Range blocks)
         Formulas::VertexBlock sum = Formulas::empty_block();
         const auto b = static_cast<std::size_t>(block);
         for (std::uint32_t slot = springs.first_slot[b]; slot < springs.first_slot[b + 1]; ++slot) {
-            const Run run = springs.runs[slot];
-            const std::uint32_t* neighbours = &springs.neighbours[slot * kLanes];
-            const bool gathers = run == SpringBlocks::kGather;
-            const WideVec3 d = (gathers ? gather(s.x, neighbours) : load(s.x, run)) - x;
+            const WideVec3 d = load_neighbours(springs, slot, s.x) - x;
             const WideFloat tension(&springs.tension[slot * kLanes]), axial(&springs.axial[slot * kLanes]);
             sum = Formulas::with_spring(sum, d, WideFloat(&springs.stiffness[slot * kLanes]), tension, axial);
             if (s.terms.stiffer > 0)
                 sum = Formulas::with_limit(sum, d, tension, axial, WideFloat(s.terms.longest),
                                            WideFloat(s.terms.stiffer));
             if (s.terms.damper > 0) {
-                const WideVec3 w = (gathers ? gather(s.moves, neighbours) : load(s.moves, run)) - move;
+                const WideVec3 w = load_neighbours(springs, slot, s.moves) - move;
                 sum = Formulas::with_damper(sum, d, w, WideFloat(s.terms.damper) * axial);
             }
         }
@@ -110,34 +99,20 @@ CpuVbd::CpuVbd(const ClothModel& model, const Bodies& bodies, VertexColours colo
       moves_(place_count_),
       targets_(place_count_),
       mobility_(place_count_),
-      tethers_(model)
+      tethers_(model, colours_.places, place_count_)
 {
 }
 
 void CpuVbd::upload(const ClothState& state)
 {
     CpuSolver::upload(state);
-    for (std::uint32_t v = 0; v < vertex_count_; ++v) tethers_.set_held(v, state.positions[v].w == 0);
+    tethers_.pins().upload(state);
 }
 
 void CpuVbd::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     CpuSolver::set_vertex(vertex, position);
-    tethers_.set_held(vertex, position.w == 0);
-}
-
-void CpuVbd::place_tethers()
-{
-    anchors_.resize(std::size_t(kTethersPerVertex) * place_count_);
-    for (std::size_t i = 0; i < anchors_.size(); ++i) anchors_[i] = static_cast<std::uint32_t>(i % place_count_);
-    tether_lengths_.assign(anchors_.size(), Tether{}.length);
-    for (std::size_t i = 0; i < tethers_.tethers().size(); ++i) {
-        const Tether& tether = tethers_.tethers()[i];
-        if (tether.anchor == Tether::kNone) continue;
-        const std::size_t to = i / vertex_count_ * place_count_ + place(static_cast<std::uint32_t>(i % vertex_count_));
-        anchors_[to] = place(tether.anchor);
-        tether_lengths_[to] = tether.length;
-    }
+    tethers_.pins().set_vertex(vertex, position);
 }
 
 void CpuVbd::refresh(const SimParams& params)
@@ -145,7 +120,7 @@ void CpuVbd::refresh(const SimParams& params)
     forces_.refresh(params);
     if (!terms_for_ || !same_params(*terms_for_, params)) terms_ = vbd_terms(model_, params);
     terms_for_ = params;
-    if (tethers_.refresh(params)) place_tethers();
+    tethers_.refresh(params);
 }
 
 void CpuVbd::step(const StepInput& input)
@@ -161,33 +136,27 @@ void CpuVbd::step(const StepInput& input)
 
 CpuVbd::Substep CpuVbd::substep_at(const StepInput& input, int k)
 {
-    const int from = (current_ + k) % 2, to = 1 - from;
-    Substep s{.terms = terms_,
-              .forces = forces_.terms(input.params, input.start_time_s + k * double(terms_.h)),
-              .bodies = bodies_.contacts(k, input.params),
-              .x = positions_[to].lanes(),
-              .v = velocities_[to].lanes(),
-              .moves = moves_.lanes(),
-              .targets = targets_.lanes(),
-              .mobility = mobility_.first(),
-              .anchors = tethers_.any() ? anchors_.data() : nullptr,
-              .tether_lengths = tether_lengths_.data(),
-              .place_count = static_cast<std::int32_t>(place_count_)};
-    s.forces.x = positions_[from].lanes();
-    s.forces.v = velocities_[from].lanes();
-    s.forces.inverse_mass = inverse_mass_.first();
-    s.forces.area = area_.first();
-    return s;
+    const int from = (current_ + k) % 2;
+    const StateLanes next = state(1 - from);
+    return {.terms = terms_,
+            .forces = forces_.terms(input.params, input.start_time_s + k * double(terms_.h), state(from)),
+            .bodies = bodies_.contacts(k, input.params),
+            .x = next.x,
+            .v = next.v,
+            .moves = moves_.lanes(),
+            .targets = targets_.lanes(),
+            .mobility = mobility_.first(),
+            .tethers = tethers_.lanes()};
 }
 
 void CpuVbd::run_substep(const Substep& s, int k, const Team& team)
 {
-    const Range blocks = team.part(0, block_count());
+    const Range blocks = team.part(block_count());
     if (!placed_.handle_pins.empty()) {
         bodies_.place_pins(k, blocks, s.forces.x, s.forces.v);
         team.wait();
     }
-    run_face_pass(s.forces, blocks, team.barrier);
+    run_face_pass(s.forces, blocks, team);
     predict_blocks(s, blocks);
     team.wait();
     // The way there and back over the colours: its exact reverse keeps a sweep from pumping energy into the cloth.
@@ -195,12 +164,12 @@ void CpuVbd::run_substep(const Substep& s, int k, const Team& team)
     for (int iteration = 0; iteration < terms_.iterations; ++iteration)
         for (int turn = iteration == 0 ? 0 : 1; turn <= 2 * last; ++turn) {
             const auto colour = static_cast<std::size_t>(turn <= last ? turn : 2 * last - turn);
-            descend_blocks(s, team.part(static_cast<int>(colours_.first_place[colour]) / kLanes,
-                                        static_cast<int>(colours_.first_place[colour + 1]) / kLanes));
+            descend_blocks(s, team.part({static_cast<int>(colours_.first_place[colour]) / kLanes,
+                                         static_cast<int>(colours_.first_place[colour + 1]) / kLanes}));
             team.wait();
         }
     finish_blocks(s, blocks);
-    if (team.barrier) team.wait();
+    team.wait();
 }
 
 }  // namespace nuno

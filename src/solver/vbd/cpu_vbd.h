@@ -7,7 +7,7 @@
 #include "solver/base/cpu_bodies.h"
 #include "solver/base/cpu_forces.h"
 #include "solver/base/cpu_solver.h"
-#include "solver/base/pin_tethers.h"
+#include "solver/base/cpu_tethers.h"
 #include "solver/vbd/vbd_terms.h"
 
 namespace nuno {
@@ -27,7 +27,6 @@ class CpuVbd final : public CpuSolver
   private:
     CpuVbd(const ClothModel& model, const Bodies& bodies, VertexColours colours, ThreadPool& pool);
     void refresh(const SimParams& params);
-    void place_tethers();
     Substep substep_at(const StepInput& input, int k);
     void run_substep(const Substep& s, int k, const Team& team);
 
@@ -40,9 +39,7 @@ class CpuVbd final : public CpuSolver
     VbdTerms terms_{};
     VertexLanes3 moves_, targets_;  // [m] from the start of the substep
     VertexLane mobility_;           // [m/N]
-    PinTethers tethers_;
-    std::vector<std::uint32_t> anchors_;  // tether k of a place at k * place_count + place; itself where there is none
-    std::vector<float> tether_lengths_;
+    CpuTethers tethers_;
 };
 
 }  // namespace nuno

@@ -3,6 +3,7 @@
 
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
+#include "solver/base/gpu_program.h"
 
 namespace nuno {
 namespace {
@@ -24,44 +25,38 @@ GpuVbd::GpuVbd(const ClothModel& model, const Bodies& bodies, const SimParams& p
 {
     const VertexColours colours = colour_vertices(model, kGrain);
     first_place_ = colours.first_place;
-    order_buffer_ = make_buffer(colours.vertices, GL_STATIC_DRAW);
-    order_.view(order_buffer_.id(), order_buffer_.size_bytes());
+    order_.upload(colours.vertices);
     refresh(params);
 }
 
 void GpuVbd::upload(const ClothState& state)
 {
     GpuSolver::upload(state);
-    for (std::uint32_t v = 0; v < vertex_count_; ++v) tethers_.set_held(v, state.positions[v].w == 0);
+    tethers_.pins().upload(state);
 }
 
 void GpuVbd::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     GpuSolver::set_vertex(vertex, position);
-    tethers_.set_held(vertex, position.w == 0);
+    tethers_.pins().set_vertex(vertex, position);
 }
 
 void GpuVbd::compile()
 {
-    std::vector<Define> defines = forces_.defines();
-    for (const Define& count : bodies_.defines()) defines.push_back(count);
-    defines.push_back({"TETHERED", tethers_.any() ? "1" : "0"});
-    defines.push_back({"LIMITED", made_for_->strain_limit > 0 ? "1" : "0"});
-    const std::vector<GeneratedInclude> params{{"generated/sim_params", glsl_fields(sim_param_table())}};
-    predict_ = compute_program("sim/vbd_predict.comp", defines, params);
-    descend_ = compute_program("sim/vbd_descend.comp", defines, params);
-    finish_ = compute_program("sim/vbd_finish.comp", defines, params);
+    const std::vector<Define> own{{"LIMITED", made_for_->strain_limit > 0 ? "1" : "0"}};
+    predict_ = gpu_program("sim/vbd_predict.comp", {forces_.defines(), tethers_.defines()});
+    descend_ = gpu_program("sim/vbd_descend.comp", {forces_.defines(), own});
+    finish_ = gpu_program("sim/vbd_finish.comp", {forces_.defines(), bodies_.defines()});
 }
 
 void GpuVbd::refresh(const SimParams& params)
 {
     const bool first = !made_for_, changed = first || !same_params(*made_for_, params);
-    const bool tethered = tethers_.any(), limited = !first && made_for_->strain_limit > 0;
+    const bool limited = !first && made_for_->strain_limit > 0;
     const bool new_forces = forces_.refresh(params), new_tethers = tethers_.refresh(params);
-    if (new_tethers && tethers_.any()) gpu_tethers_.upload(tethers_.tethers());
     made_for_ = params;
     if (changed) terms_ = vbd_terms(model_, params);
-    const bool compiles = first || new_forces || tethers_.any() != tethered || (params.strain_limit > 0) != limited;
+    const bool compiles = first || new_forces || new_tethers || (params.strain_limit > 0) != limited;
     if (compiles) compile();
     if (compiles || changed) set_uniforms();
 }
@@ -102,7 +97,7 @@ void GpuVbd::run_substep(const StepInput& input, int k)
     forces_.run_face_pass(time_s);
     moves_.buffer.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_MOVES);
     targets_.buffer.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_TARGETS);
-    if (tethers_.any()) gpu_tethers_.bind();
+    tethers_.bind();
     predict_.use();
     predict_.set(LOCATION_WIND, wind_pressure(input.params, time_s));
     dispatch();

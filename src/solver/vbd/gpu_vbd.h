@@ -9,7 +9,6 @@
 #include "solver/base/gpu_forces.h"
 #include "solver/base/gpu_solver.h"
 #include "solver/base/gpu_tethers.h"
-#include "solver/base/pin_tethers.h"
 #include "solver/vbd/vbd_terms.h"
 
 namespace nuno {
@@ -35,13 +34,11 @@ class GpuVbd final : public GpuSolver
     const ClothModel& model_;
     GpuForces forces_;
     GpuBodies bodies_;
-    PinTethers tethers_;
-    GpuTethers gpu_tethers_;
+    GpuTethers tethers_;
     std::optional<SimParams> made_for_;
     VbdTerms terms_{};
     std::vector<std::uint32_t> first_place_;  // of each colour, and one past the last
-    Buffer order_buffer_;
-    BufferTexture order_;
+    GpuTable order_;
     VertexBuffer moves_, targets_;
     Program predict_, descend_, finish_;
 };

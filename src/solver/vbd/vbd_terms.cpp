@@ -25,7 +25,12 @@ float most_stiffness(const SimParams& params, float area)
 VbdTerms vbd_terms(const ClothModel& model, const SimParams& params)
 {
     const float h = substep_s(params);
-    VbdTerms terms{h, 1 / h, params.stiffness_damping / h, 1 + params.strain_limit, 0, iterations_of(params)};
+    VbdTerms terms{.h = h,
+                   .inverse_h = 1 / h,
+                   .damper = params.stiffness_damping / h,
+                   .longest = 1 + params.strain_limit,
+                   .stiffer = 0,
+                   .iterations = iterations_of(params)};
     if (params.strain_limit == 0) return terms;
     float stiffest = 0, area = 0;
     for (const SpringWeight& weight : vbd_spring_weights(model, params)) stiffest = std::max(stiffest, weight.axial);

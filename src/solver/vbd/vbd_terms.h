@@ -1,13 +1,10 @@
 // What vertex block descent makes of the parameters, for both backends.
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "model/cloth_model.h"
 #include "model/spring_weights.h"
-#include "model/tethers.h"
 
 namespace nuno {
 

@@ -71,7 +71,7 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
 {
     const auto end_count = std::size_t(ends);
     std::vector<std::vector<bool>> used(vertex_count);  // by colour
-    std::vector<int> counts;
+    std::vector<int> counts, colours;
     for (std::size_t first = 0; first < vertices.size(); first += end_count) {
         const auto own = vertices.subspan(first, end_count);
         std::size_t colour = 0;
@@ -83,7 +83,7 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
         }
         if (counts.size() <= colour) counts.resize(colour + 1);
         ++counts[colour];
-        colours_.push_back(static_cast<int>(colour));
+        colours.push_back(static_cast<int>(colour));
     }
     first_batch_.push_back(0);
     for (const int count : counts)
@@ -96,8 +96,8 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
         places_.push_back(4 * (vertex_count + static_cast<std::uint32_t>(i % batch_places)));
     std::vector<std::size_t> next;
     for (const int first : first_batch_) next.push_back(std::size_t(first) * kColourBatch);
-    for (std::size_t n = 0; n < colours_.size(); ++n) {
-        const std::size_t slot = next[std::size_t(colours_[n])]++;
+    for (std::size_t n = 0; n < colours.size(); ++n) {
+        const std::size_t slot = next[std::size_t(colours[n])]++;
         slots_.push_back(slot);
         for (std::size_t k = 0; k < end_count; ++k)
             places_[slot / kColourBatch * batch_places + k * kColourBatch + slot % kColourBatch] =

@@ -1,7 +1,6 @@
 // Constraints of any mesh in colours: those of one colour share no vertex, so they can be projected side by side.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,13 +24,11 @@ class ConstraintColours
     // it has at one of its vertices. A place among floats is 4 x the vertex.
     ConstraintColours(std::span<const std::uint32_t> vertices, int ends, int number_count, std::uint32_t vertex_count);
 
-    std::size_t constraint_count() const { return slots_.size(); }
     int colour_count() const { return static_cast<int>(first_batch_.size()) - 1; }
     Range batches(int colour) const
     {
         return {first_batch_[std::size_t(colour)], first_batch_[std::size_t(colour) + 1]};
     }
-    int colour(std::size_t constraint) const { return colours_[constraint]; }
     float& number(std::size_t constraint, int n)
     {
         const std::size_t slot = slots_[constraint];
@@ -44,7 +41,7 @@ class ConstraintColours
 
   private:
     int end_count_, number_count_;
-    std::vector<int> colours_, first_batch_;
+    std::vector<int> first_batch_;    // of each colour, and one past the last
     std::vector<std::size_t> slots_;  // of each constraint: batch * kColourBatch + lane
     std::vector<std::uint32_t> places_;
     std::vector<float> numbers_;

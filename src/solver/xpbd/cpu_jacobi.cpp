@@ -2,25 +2,21 @@
 #include "solver/xpbd/cpu_jacobi.h"
 
 #include <cassert>
-#include <utility>
 
 namespace nuno {
 
-// The state one substep ago is what the lanes of the new state hold before (src/solver/xpbd/mesh_motion.cpp says the same of
-// positions in another order).
+// What the lanes of the new state hold before is the state one substep ago (src/solver/xpbd/mesh_motion.cpp does the
+// same with positions in another order).
 struct CpuJacobi::Substep
 {
     ForceTerms forces;  // at the start, where x and v are read
     BodyContacts bodies;
     SubstepTimes times;
     glm::vec3 common;  // [m/s2]
-    int passes;
     const SpringBlocks &springs, &limits;
     bool limited;
     Lanes3 x, v, predicted, passed;
-    const std::uint32_t* anchors;  // null: no tethers
-    const float* tether_lengths;
-    std::int32_t vertex_count;
+    TetherLanes tethers;
 };
 
 namespace {
@@ -44,14 +40,10 @@ NUNO_SIMD_CLONES void predict_blocks(const CpuJacobi::Substep& s, Range blocks)
             Formulas::predicted_motion(Formulas::motion(x, v), Formulas::motion(load(s.x, i), load(s.v, i)),
                                        acceleration(s, block), WideFloat(s.times.keep), WideFloat(s.times.step));
         m = push_out_of_bodies<kLanes>(s.bodies, x, m).motion;
-        WideVec3 to = select_positive(inverse_mass, m.position, x);
-        store(s.v, i, select_positive(inverse_mass, m.velocity, v));
-        store(s.predicted, i, to);
-        if (s.anchors)
-            for (int k = 0; k < kTethersPerVertex; ++k) {
-                const std::int32_t entry = k * s.vertex_count + i;
-                to = Formulas::tethered(to, gather(s.forces.x, s.anchors + entry), WideFloat(s.tether_lengths + entry));
-            }
+        m = Formulas::select_motion(inverse_mass, m, Formulas::motion(x, v));
+        store(s.v, i, m.velocity);
+        store(s.predicted, i, m.position);
+        const WideVec3 to = within_tethers(s.tethers, s.forces.x, i, m.position);
         store(s.x, i, select_positive(inverse_mass, to, x));
     }
 }
@@ -64,9 +56,7 @@ NUNO_SIMD_CLONES void pass_over_blocks(const CpuJacobi::Substep& s, const Lanes3
         WideVec3 sum(0.0f);
         const auto b = static_cast<std::size_t>(block);
         for (std::uint32_t slot = s.springs.first_slot[b]; slot < s.springs.first_slot[b + 1]; ++slot) {
-            const Run run = s.springs.runs[slot];
-            const bool gathers = run == SpringBlocks::kGather;
-            const WideVec3 d = (gathers ? gather(from, &s.springs.neighbours[slot * kLanes]) : load(from, run)) - x;
+            const WideVec3 d = load_neighbours(s.springs, slot, from) - x;
             WideFloat pull = Formulas::spring_pull(d, WideFloat(&s.springs.stiffness[slot * kLanes]),
                                                    WideFloat(&s.springs.tension[slot * kLanes]));
             if (s.limited)
@@ -87,13 +77,11 @@ NUNO_SIMD_CLONES void finish_blocks(const CpuJacobi::Substep& s, Range blocks)
         const WideVec3 end = Formulas::corrected_velocity(v, load(s.predicted, i), x, WideFloat(s.times.per_step));
         Formulas::Motion m = Formulas::motion(x, end);
         if (!s.bodies.bodies.empty()) {
-            const WideVec3 last_x = load(s.forces.x, i), last_v = load(s.forces.v, i);
-            m = push_out_of_bodies<kLanes>(s.bodies, last_x, m).motion;
-            const WideVec3 lost = m.velocity - end;
-            const WideFloat touched = Formulas::dot_product(lost, lost);
-            const Formulas::Motion last = Formulas::assumed_last(m, acceleration(s, block), WideFloat(s.times.h));
-            store(s.forces.x, i, select_positive(touched, last.position, last_x));
-            store(s.forces.v, i, select_positive(touched, last.velocity, last_v));
+            Formulas::Motion last = Formulas::motion(load(s.forces.x, i), load(s.forces.v, i));
+            m = push_out_of_bodies<kLanes>(s.bodies, last.position, m).motion;
+            last = Formulas::last_after_contact(last, m, end, acceleration(s, block), WideFloat(s.times.h));
+            store(s.forces.x, i, last.position);
+            store(s.forces.v, i, last.velocity);
             store(s.x, i, select_positive(inverse_mass, m.position, x));
         }
         store(s.v, i, select_positive(inverse_mass, m.velocity, v));
@@ -111,9 +99,9 @@ SpringBlocks blocks_of(const JacobiSprings& springs, const std::vector<float>& s
 CpuJacobi::CpuJacobi(const ClothModel& model, const Bodies& bodies, const SimParams&, ThreadPool& pool)
     : CpuSolver(model, pool),
       model_(model),
-      forces_(model),
+      forces_(model, kNoSprings),
       bodies_(bodies, model),
-      tethers_(model),
+      tethers_(model, {}, vertex_count_),
       predicted_(vertex_count_),
       passed_(vertex_count_)
 {
@@ -122,17 +110,15 @@ CpuJacobi::CpuJacobi(const ClothModel& model, const Bodies& bodies, const SimPar
 void CpuJacobi::upload(const ClothState& state)
 {
     CpuSolver::upload(state);
-    for (std::uint32_t v = 0; v < vertex_count_; ++v) tethers_.set_held(v, state.positions[v].w == 0);
+    tethers_.pins().upload(state);
     masses_changed_ = true;
     last_is_known_ = false;
 }
 
 void CpuJacobi::forget_last(std::uint32_t vertex)
 {
-    const SimParams& p = *made_for_;
-    const glm::vec3 x(positions_[current_].at(vertex, 0)), v(velocities_[current_].at(vertex, 0));
-    const formulas::Motion last =
-        formulas::assumed_last(formulas::motion(x, v), {p.gravity_x, p.gravity_y, p.gravity_z}, substep_s(p));
+    const formulas::Motion last = assumed_past(*made_for_, glm::vec3(positions_[current_].at(vertex, 0)),
+                                               glm::vec3(velocities_[current_].at(vertex, 0)));
     positions_[1 - current_].put(vertex, glm::vec4(last.position, 0));
     velocities_[1 - current_].put(vertex, glm::vec4(last.velocity, 0));
 }
@@ -150,29 +136,12 @@ void CpuJacobi::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     masses_changed_ = masses_changed_ || inverse_mass_.first()[vertex] != position.w;
     CpuSolver::set_vertex(vertex, position);
-    tethers_.set_held(vertex, position.w == 0);
+    tethers_.pins().set_vertex(vertex, position);
     if (last_is_known_) forget_last(vertex);
-}
-
-void CpuJacobi::place_tethers()
-{
-    const std::vector<Tether>& tethers = tethers_.tethers();
-    anchors_.assign(tethers.size() + kLanes, 0);  // a block may read past the last
-    tether_lengths_.assign(anchors_.size(), Tether{}.length);
-    for (std::size_t i = 0; i < tethers.size(); ++i) {
-        const bool none = tethers[i].anchor == Tether::kNone;
-        anchors_[i] = none ? static_cast<std::uint32_t>(i % vertex_count_) : tethers[i].anchor;
-        tether_lengths_[i] = tethers[i].length;
-    }
 }
 
 void CpuJacobi::refresh_springs(const SimParams& params)
 {
-    const SimParams* const before = made_for_ ? &*made_for_ : nullptr;
-    const auto differs = [&](auto member) { return before->*member != params.*member; };
-    if (before && !masses_changed_ && !spring_weights_differ(*before, params) && !differs(&SimParams::substeps) &&
-        !differs(&SimParams::frame_rate) && !differs(&SimParams::iterations) && !differs(&SimParams::strain_limit))
-        return;
     const JacobiSprings made =
         make_jacobi_springs(model_, params, std::span(inverse_mass_.first(), std::size_t(vertex_count_)));
     const bool limited = params.strain_limit > 0;
@@ -184,11 +153,11 @@ void CpuJacobi::refresh_springs(const SimParams& params)
 
 void CpuJacobi::refresh(const SimParams& params)
 {
-    refresh_springs(params);
+    const XpbdChanges changes = xpbd_changes(made_for_, params);
+    if (changes.shares || masses_changed_ || spring_weights_differ(*made_for_, params)) refresh_springs(params);
+    if (changes.times) last_is_known_ = false;
     forces_.refresh(params);
-    if (tethers_.refresh(params)) place_tethers();
-    if (made_for_ && (made_for_->substeps != params.substeps || made_for_->frame_rate != params.frame_rate))
-        last_is_known_ = false;
+    tethers_.refresh(params);
     made_for_ = params;
     if (!last_is_known_)
         for (std::uint32_t v = 0; v < vertex_count_; ++v) forget_last(v);
@@ -200,8 +169,8 @@ void CpuJacobi::step(const StepInput& input)
     if (input.substep_count <= 0) return;
     refresh(input.params);
     bodies_.plan(input);
-    run_blocks([&](Range blocks, SpinBarrier* barrier) {
-        for (int k = 0; k < input.substep_count; ++k) run_substep(substep_at(input, k), k, blocks, barrier);
+    run_team([&](const Team& team) {
+        for (int k = 0; k < input.substep_count; ++k) run_substep(substep_at(input, k), k, team);
     });
     current_ = (current_ + input.substep_count) % 2;
 }
@@ -209,47 +178,38 @@ void CpuJacobi::step(const StepInput& input)
 CpuJacobi::Substep CpuJacobi::substep_at(const StepInput& input, int k)
 {
     const SimParams& p = input.params;
-    const int from = (current_ + k) % 2, to = 1 - from;
+    const int from = (current_ + k) % 2;
     const double time_s = input.start_time_s + k * double(substep_s(p));
-    Substep s{.forces = forces_.terms(p, time_s),
-              .bodies = bodies_.contacts(k, p),
-              .times = SubstepTimes(p),
-              .common = {p.gravity_x, p.gravity_y, p.gravity_z + wind_pressure(p, time_s) / p.areal_density},
-              .passes = jacobi_passes(p),
-              .springs = springs_,
-              .limits = limits_,
-              .limited = p.strain_limit > 0,
-              .x = positions_[to].lanes(),
-              .v = velocities_[to].lanes(),
-              .predicted = predicted_.lanes(),
-              .passed = passed_.lanes(),
-              .anchors = tethers_.any() ? anchors_.data() : nullptr,
-              .tether_lengths = tether_lengths_.data(),
-              .vertex_count = static_cast<std::int32_t>(vertex_count_)};
-    s.forces.x = positions_[from].lanes();
-    s.forces.v = velocities_[from].lanes();
-    s.forces.inverse_mass = inverse_mass_.first();
-    s.forces.area = area_.first();
-    return s;
+    const StateLanes next = state(1 - from);
+    return {.forces = forces_.terms(p, time_s, state(from)),
+            .bodies = bodies_.contacts(k, p),
+            .times = SubstepTimes(p),
+            .common = common_acceleration(p, time_s),
+            .springs = springs_,
+            .limits = limits_,
+            .limited = p.strain_limit > 0,
+            .x = next.x,
+            .v = next.v,
+            .predicted = predicted_.lanes(),
+            .passed = passed_.lanes(),
+            .tethers = tethers_.lanes()};
 }
 
-void CpuJacobi::run_substep(const Substep& s, int k, Range blocks, SpinBarrier* barrier)
+void CpuJacobi::run_substep(const Substep& s, int k, const Team& team)
 {
-    const auto wait = [&] {
-        if (barrier) barrier->arrive_and_wait();
-    };
-    run_face_pass(s.forces, blocks, barrier);
+    const Range blocks = team.part(block_count());
+    run_face_pass(s.forces, blocks, team);
     bodies_.place_pins(k, blocks, s.forces.x, s.forces.v);
-    wait();
+    team.wait();
     predict_blocks(s, blocks);
-    wait();
-    for (int pass = 0; pass < s.passes; ++pass) {
+    team.wait();
+    for (int pass = 0; pass < jacobi_passes(*made_for_); ++pass) {
         const bool there = pass % 2 == 0;
         pass_over_blocks(s, there ? s.x : s.passed, there ? s.passed : s.x, blocks);
-        wait();
+        team.wait();
     }
     finish_blocks(s, blocks);
-    wait();
+    team.wait();
 }
 
 }  // namespace nuno

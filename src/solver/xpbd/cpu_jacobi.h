@@ -7,9 +7,9 @@
 #include "solver/base/cpu_bodies.h"
 #include "solver/base/cpu_forces.h"
 #include "solver/base/cpu_solver.h"
-#include "solver/base/pin_tethers.h"
+#include "solver/base/cpu_tethers.h"
 #include "solver/xpbd/jacobi_springs.h"
-#include "solver/xpbd/xpbd_part.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 
@@ -29,19 +29,15 @@ class CpuJacobi final : public CpuSolver
   private:
     void refresh(const SimParams& params);
     void refresh_springs(const SimParams& params);
-    void place_tethers();
     // For the next substep to begin at this vertex without a past.
     void forget_last(std::uint32_t vertex);
     Substep substep_at(const StepInput& input, int k);
-    void run_substep(const Substep& s, int k, Range blocks, SpinBarrier* barrier);
+    void run_substep(const Substep& s, int k, const Team& team);
 
     const ClothModel& model_;
     CpuForces forces_;
     CpuBodies bodies_;
-    PinTethers tethers_;
-    std::vector<std::uint32_t>
-        anchors_;  // tether k of a vertex at k * vertex_count + vertex; itself where there is none
-    std::vector<float> tether_lengths_;
+    CpuTethers tethers_;
     SpringBlocks springs_, limits_;
     std::optional<SimParams> made_for_;
     bool masses_changed_ = true, last_is_known_ = false;

@@ -13,7 +13,7 @@
 namespace nuno {
 
 CpuXpbd::CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool, int lanes)
-    : model_(model), pool_(pool), bodies_(bodies, model), positions_(model.vertex_count())
+    : model_(model), pool_(pool), bodies_(bodies, model), tethers_(model), positions_(model.vertex_count())
 {
     if (lanes == 0) lanes = machine_lanes();
     for (const Sheet& sheet : model.sheets) {
@@ -34,6 +34,7 @@ CpuXpbd::CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
 void CpuXpbd::upload(const ClothState& state)
 {
     for (const auto& part : parts_) part->upload(state);
+    tethers_.upload(state);
 }
 
 void CpuXpbd::upload_velocities(std::span<const glm::vec4> velocities)
@@ -44,32 +45,59 @@ void CpuXpbd::upload_velocities(std::span<const glm::vec4> velocities)
 void CpuXpbd::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     for (const auto& part : parts_) part->set_vertex(vertex, position);
+    tethers_.set_vertex(vertex, position);
 }
 
 void CpuXpbd::step(const StepInput& input)
 {
-    const bool changed = !weights_for_ || spring_weights_differ(*weights_for_, input.params);
-    if (changed) weights_ = spring_weights(model_, input.params);
+    if (input.substep_count <= 0) return;
+    const bool weights_changed = !weights_for_ || spring_weights_differ(*weights_for_, input.params);
+    if (weights_changed) weights_ = spring_weights(model_, input.params);
     weights_for_ = input.params;
     bodies_.plan(input);
-    const auto step_parts = [&](int first, int count, bool weights_changed) {
-        for (const auto& part : parts_)
-            part->step({input, first, count, pool_, bodies_, weights_, weights_changed, accelerations_});
-    };
-    if (!face_forces(input.params).air) {
-        accelerations_ = {};
-        return step_parts(0, input.substep_count, changed);
-    }
+    XpbdStep step{.input = input,
+                  .first_substep = 0,
+                  .substep_count = input.substep_count,
+                  .pool = pool_,
+                  .bodies = bodies_,
+                  .weights = weights_,
+                  .tethers = {},
+                  .weights_changed = weights_changed,
+                  .tethers_changed = tethers_.refresh(input.params),
+                  .accelerations = {}};
+    step.tethers = tethers_.tethers();
+    if (!face_forces(input.params).air) return step_parts(step);
     // The air's force depends on the velocity so strongly that it must be taken in every substep.
+    for (int k = 0; k < input.substep_count; ++k) {
+        blow(input.params, input.start_time_s + k * double(substep_s(input.params)));
+        step.accelerations = accelerations_;
+        step.first_substep = k;
+        step.substep_count = 1;
+        step_parts(step);
+        step.weights_changed = step.tethers_changed = false;
+    }
+}
+
+void CpuXpbd::blow(const SimParams& params, double time_s)
+{
     if (!air_) air_.emplace(model_);
     velocities_.resize(positions_.size());
-    for (int k = 0; k < input.substep_count; ++k) {
-        download_positions(positions_);
-        download_velocities(velocities_);
-        const double time_s = input.start_time_s + k * double(substep_s(input.params));
-        accelerations_ = air_->accelerations(positions_, velocities_, input.params, time_s, pool_);
-        step_parts(k, 1, changed && k == 0);
-    }
+    accelerations_.resize(positions_.size());
+    download_positions(positions_);
+    download_velocities(velocities_);
+    const auto motion_of = [&](std::uint32_t vertex) {
+        return formulas::motion(glm::vec3(positions_[vertex]), glm::vec3(velocities_[vertex]));
+    };
+    const auto take = [&](std::uint32_t vertex, glm::vec3 force) {
+        accelerations_[vertex] = positions_[vertex].w * force;
+    };
+    run_team(pool_, team_size(pool_, model_.vertex_count()),
+             [&](const Team& team) { air_->run(params, time_s, team, motion_of, take); });
+}
+
+void CpuXpbd::step_parts(const XpbdStep& step)
+{
+    for (const auto& part : parts_) part->step(step);
 }
 
 void CpuXpbd::download_positions(std::span<glm::vec4> positions)

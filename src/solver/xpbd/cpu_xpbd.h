@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "solver/xpbd/xpbd_air.h"
+#include "solver/base/cpu_air.h"
+#include "solver/base/pin_tethers.h"
 #include "solver/xpbd/xpbd_part.h"
 
 namespace nuno {
@@ -29,14 +31,18 @@ class CpuXpbd final : public ClothSolver
     std::uint32_t position_buffer() const override { return 0; }
 
   private:
+    void step_parts(const XpbdStep& step);
+    void blow(const SimParams& params, double time_s);
+
     const ClothModel& model_;
     ThreadPool& pool_;
     CpuBodies bodies_;
+    PinTethers tethers_;
     std::vector<std::unique_ptr<XpbdPart>> parts_;  // one a sheet
     std::vector<SpringWeight> weights_;
     std::optional<SimParams> weights_for_;
-    std::optional<XpbdAir> air_;
-    std::span<const glm::vec3> accelerations_;
+    std::optional<CpuAir> air_;
+    std::vector<glm::vec3> accelerations_;           // by air
     std::vector<glm::vec4> positions_, velocities_;  // for a while
 };
 

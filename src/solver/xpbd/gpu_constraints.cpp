@@ -13,9 +13,7 @@
 namespace nuno {
 namespace {
 
-// Shared memory holds that many positions; a group of more invocations than a colour of such a cloth has springs idles.
-constexpr std::uint32_t kSmallVertices = 1024;
-constexpr int kSmallGroup = 128;
+constexpr int kSmallGroup = 128;  // a group of more invocations than a colour of such a cloth has springs idles
 
 // Calls visit(sheet, batch) for every batch, colour by colour, and notes where colours begin.
 template <class Colours, class Visit>
@@ -39,14 +37,6 @@ std::vector<std::int32_t> walk(std::size_t sheet_count, const Colours& colours_o
     return first;
 }
 
-template <class T>
-void put(Buffer& buffer, BufferTexture& view, std::vector<T>& values)
-{
-    if (values.empty()) values.emplace_back();  // a view of nothing is none
-    buffer = make_buffer(values, GL_STATIC_DRAW);
-    view.view(buffer.id(), buffer.size_bytes());
-}
-
 }  // namespace
 
 GpuConstraints::GpuConstraints(const ClothModel& model)
@@ -61,28 +51,38 @@ GpuConstraints::GpuConstraints(const ClothModel& model)
     plates_.program = compute_program("sim/xpbd_plates.comp");
 }
 
+void GpuConstraints::compile()
+{
+    const std::vector<Define> defines{{"LIMITED", limited_ ? "1" : "0"},
+                                      {"SMALL_GROUP", std::to_string(kSmallGroup)},
+                                      {"SMALL_VERTICES", std::to_string(kSmallVertices)}};
+    springs_.program = compute_program("sim/xpbd_springs.comp", defines);
+    small_ = compute_program("sim/xpbd_sweep_small.comp", defines);
+    small_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(model_.vertex_count()));
+}
+
 void GpuConstraints::choose(std::span<const SpringWeight> weights, const Numbers& numbers,
                             std::span<const float> inverse_masses)
 {
-    const bool limited = numbers.limit > 0;
-    if (springs_.program.id() == 0 || limited != limited_) {
-        const std::vector<Define> defines{{"LIMITED", limited ? "1" : "0"},
-                                          {"SMALL_GROUP", std::to_string(kSmallGroup)},
-                                          {"SMALL_VERTICES", std::to_string(kSmallVertices)}};
-        springs_.program = compute_program("sim/xpbd_springs.comp", defines);
-        small_ = compute_program("sim/xpbd_sweep_small.comp", defines);
-        small_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(model_.vertex_count()));
-    }
+    const bool limited = numbers.limit > 0, compiles = springs_.program.id() == 0 || limited != limited_;
     limited_ = limited;
+    if (compiles) compile();
     for (std::size_t n = 0; n < sheets_.size(); ++n)
         sheets_[n]->choose(weights, model_.sheets[n].vertex_count, limited);
-    set_numbers(numbers, inverse_masses);
+    make_numbers(numbers, inverse_masses);
     upload_springs(true);
     upload_plates(true);
-    put(start_buffer_, starts_, springs_.first);
+    starts_.upload(springs_.first);
 }
 
 void GpuConstraints::set_numbers(const Numbers& numbers, std::span<const float> inverse_masses)
+{
+    make_numbers(numbers, inverse_masses);
+    upload_springs(false);
+    upload_plates(false);
+}
+
+void GpuConstraints::make_numbers(const Numbers& numbers, std::span<const float> inverse_masses)
 {
     for (std::size_t n = 0; n < sheets_.size(); ++n) {
         const Sheet& sheet = model_.sheets[n];
@@ -91,8 +91,6 @@ void GpuConstraints::set_numbers(const Numbers& numbers, std::span<const float> 
             by_place[sheets_[n]->places()[v]].w = inverse_masses[sheet.first_vertex + v];
         sheets_[n]->set_numbers(numbers.step, numbers.projections, numbers.limit, by_place);
     }
-    upload_springs(false);
-    upload_plates(false);
 }
 
 void GpuConstraints::upload_springs(bool with_ends)
@@ -110,8 +108,8 @@ void GpuConstraints::upload_springs(bool with_ends)
                 to[n] = number[n * kColourBatch + lane];
         }
     });
-    if (with_ends) put(springs_.end_buffer, springs_.ends, ends);
-    put(springs_.number_buffer, springs_.numbers, numbers);
+    if (with_ends) springs_.ends.upload(ends);
+    springs_.numbers.upload(numbers);
 }
 
 void GpuConstraints::upload_plates(bool with_ends)
@@ -131,9 +129,9 @@ void GpuConstraints::upload_plates(bool with_ends)
             shares.push_back(colours.numbers(batch)[kPlateShare * kColourBatch + lane]);
         }
     });
-    if (with_ends) put(plates_.end_buffer, plates_.ends, ends);
-    put(plates_.number_buffer, plates_.numbers, coefficients);
-    put(plates_.share_buffer, plates_.shares, shares);
+    if (with_ends) plates_.ends.upload(ends);
+    plates_.numbers.upload(coefficients);
+    plates_.shares.upload(shares);
 }
 
 void GpuConstraints::project(const Kind& kind, std::size_t colour) const

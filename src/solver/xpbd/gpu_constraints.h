@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/buffer_texture.h"
 #include "gl/program.h"
+#include "solver/base/gpu_table.h"
 #include "solver/xpbd/mesh_constraints.h"
 
 namespace nuno {
@@ -15,6 +14,9 @@ namespace nuno {
 class GpuConstraints
 {
   public:
+    // A cloth of at most so many vertices fits into one work group.
+    static constexpr std::uint32_t kSmallVertices = 1024;
+
     // `model` must outlive it.
     explicit GpuConstraints(const ClothModel& model);
 
@@ -41,10 +43,11 @@ class GpuConstraints
     {
         Kind(GLenum ends_format) : ends(ends_format), numbers(GL_RGBA32F), shares(GL_R32F) {}
         std::vector<std::int32_t> first;  // of each colour, and one past the last
-        Buffer end_buffer, number_buffer, share_buffer;
-        BufferTexture ends, numbers, shares;
+        GpuTable ends, numbers, shares;
         Program program;
     };
+    void compile();
+    void make_numbers(const Numbers& numbers, std::span<const float> inverse_masses);
     void upload_springs(bool with_ends);
     void upload_plates(bool with_ends);
     void project(const Kind& kind, std::size_t colour) const;
@@ -58,8 +61,7 @@ class GpuConstraints
     bool limited_ = false;
     Kind springs_, plates_;
     Program small_;
-    Buffer start_buffer_;
-    BufferTexture starts_;
+    GpuTable starts_;
 };
 
 }  // namespace nuno

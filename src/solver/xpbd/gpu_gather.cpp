@@ -22,15 +22,12 @@ GpuGather::GpuGather(std::uint32_t vertex_count)
 
 void GpuGather::upload(const JacobiSprings& springs)
 {
-    const auto put = [&]<class To, class From>(Table& table, const std::vector<From>& slots) {
-        table.buffer = make_buffer(in_quads<To>(slots, vertex_count_), GL_STATIC_DRAW);
-        table.texture.view(table.buffer.id(), table.buffer.size_bytes());
-    };
-    put.operator()<std::int32_t>(neighbours_, springs.neighbours);
-    put.operator()<float>(share_, springs.share);
-    put.operator()<float>(share_length_, springs.share_length);
-    put.operator()<float>(limit_, springs.limit);
-    put.operator()<float>(limit_length_, springs.limit_length);
+    const auto quads = [&](const std::vector<float>& slots) { return in_quads<float>(slots, vertex_count_); };
+    neighbours_.upload(in_quads<std::int32_t>(springs.neighbours, vertex_count_));
+    share_.upload(quads(springs.share));
+    share_length_.upload(quads(springs.share_length));
+    limit_.upload(quads(springs.limit));
+    limit_length_.upload(quads(springs.limit_length));
     const int quad_count = springs.slot_count / 4;
     const bool limited = !springs.limit.empty();
     if (quad_count == quad_count_ && limited == limited_) return;
@@ -44,11 +41,11 @@ void GpuGather::upload(const JacobiSprings& springs)
 void GpuGather::run(int passes, const VertexBuffer& positions) const
 {
     program_.use();
-    neighbours_.texture.bind(UNIT_NEIGHBOURS);
-    share_.texture.bind(UNIT_PULL);
-    share_length_.texture.bind(UNIT_PULL_LENGTH);
-    limit_.texture.bind(UNIT_LIMIT_PULL);
-    limit_length_.texture.bind(UNIT_LIMIT_PULL_LENGTH);
+    neighbours_.bind(UNIT_NEIGHBOURS);
+    share_.bind(UNIT_PULL);
+    share_length_.bind(UNIT_PULL_LENGTH);
+    limit_.bind(UNIT_LIMIT_PULL);
+    limit_length_.bind(UNIT_LIMIT_PULL_LENGTH);
     for (int pass = 0; pass < passes; ++pass) {
         const bool there = pass % 2 == 0;
         (there ? positions : passed_).texture.bind(UNIT_POSITIONS);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/program.h"
-#include "solver/base/gpu_solver.h"
+#include "solver/base/gpu_table.h"
 #include "solver/xpbd/jacobi_springs.h"
 
 namespace nuno {
@@ -18,16 +18,9 @@ class GpuGather
     void run(int passes, const VertexBuffer& positions) const;
 
   private:
-    struct Table
-    {
-        explicit Table(GLenum format) : texture(format) {}
-        Buffer buffer;
-        BufferTexture texture;
-    };
-
     const std::uint32_t vertex_count_;
     VertexBuffer passed_;  // positions after every other pass
-    Table neighbours_, share_, share_length_, limit_, limit_length_;
+    GpuTable neighbours_, share_, share_length_, limit_, limit_length_;
     int quad_count_ = -1;
     bool limited_ = false;
     Program program_;

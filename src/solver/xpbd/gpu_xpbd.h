@@ -9,7 +9,6 @@
 #include "solver/base/gpu_forces.h"
 #include "solver/base/gpu_solver.h"
 #include "solver/base/gpu_tethers.h"
-#include "solver/base/pin_tethers.h"
 #include "solver/xpbd/gpu_constraints.h"
 #include "solver/xpbd/gpu_gather.h"
 
@@ -41,8 +40,7 @@ class GpuXpbd final : public GpuSolver
     const ClothModel& model_;
     GpuForces forces_;
     GpuBodies bodies_;
-    PinTethers tethers_;
-    GpuTethers gpu_tethers_;
+    GpuTethers tethers_;
     std::optional<GpuConstraints> constraints_;  // in colours
     std::optional<GpuGather> gather_;            // all springs at once; one of the two is there
     std::vector<float> inverse_masses_;          // one a vertex

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "solver/xpbd/spring_share.h"
-#include "solver/xpbd/xpbd_part.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 namespace {
@@ -28,7 +28,7 @@ bool has_share(const ClothModel& model, std::span<const Share> shares, int group
 
 }  // namespace
 
-int jacobi_passes(const SimParams& params) { return kPassesPerIteration * std::max(params.iterations, 1); }
+int jacobi_passes(const SimParams& params) { return kPassesPerIteration * sweep_pairs(params); }
 
 JacobiSprings make_jacobi_springs(const ClothModel& model, const SimParams& params,
                                   std::span<const float> inverse_masses)

@@ -15,8 +15,8 @@ int jacobi_passes(const SimParams& params);
 // Entries (slot * vertex_count + vertex, as SpringEntries) of
 //     x_i' = x_i + w_i sum_j max(share - share_length / |d|, limit - limit_length / |d|) d,   d = x_j - x_i,
 // w the inverse mass; limit and limit_length are empty without a strain limit, and below share where a spring is within
-// it. The share of a spring is that of solver/xpbd/spring_share.h over max(1, D_i, D_j), D_i the sum over the springs of a
-// vertex of the part of its excess that each alone would take away, at most 1 each. So in linear terms a pass is
+// it. The share of a spring is that of solver/xpbd/spring_share.h over max(1, D_i, D_j), D_i the sum over the springs
+// of a vertex of the part of its excess that each alone would take away, at most 1 each. So in linear terms a pass is
 // I - W K with K symmetric, W the inverse masses, and (Gershgorin) W K has its eigenvalues in [0, 1]: passes keep
 // momentum, and pump no energy however stiff the springs (solver/xpbd/strip_sheet.h).
 struct JacobiSprings

@@ -2,6 +2,7 @@
 #include "solver/xpbd/mesh_constraints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>

@@ -28,7 +28,7 @@ struct Kernel
 
     static NUNO_WIDE_INLINE Vec3 acceleration(const MeshMotion& s, const Places& at)
     {
-        const Vec3 a{Real(s.common[0]), Real(s.common[1]), Real(s.common[2])};
+        const Vec3 a{Real(s.common.x), Real(s.common.y), Real(s.common.z)};
         return s.acceleration ? a + Positions::load(s.acceleration, at.index).xyz : a;
     }
 
@@ -38,21 +38,21 @@ struct Kernel
         WideVec4<kLaneCount> x = Positions::load(s.positions, at.index), v = Positions::load(s.velocities, at.index);
         const Motion last = Formulas::motion(Positions::load(s.last_positions, at.index).xyz,
                                              Positions::load(s.last_velocities, at.index).xyz);
-        Motion m = Formulas::predicted_motion(Formulas::motion(x.xyz, v.xyz), last, acceleration(s, at), Real(s.keep),
-                                              Real(s.step));
+        const Motion start = Formulas::motion(x.xyz, v.xyz);
+        Motion m = Formulas::predicted_motion(start, last, acceleration(s, at), Real(s.times.keep), Real(s.times.step));
         Positions::store(s.last_positions, at.index, x);
         Positions::store(s.last_velocities, at.index, v);
-        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, x.xyz, m).motion;
-        const Vec3 held = x.xyz;
-        x.xyz = m.position = select_positive(x.w, m.position, held);
-        v.xyz = select_positive(x.w, m.velocity, v.xyz);
+        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, start.position, m).motion;
+        m = Formulas::select_motion(x.w, m, start);
+        x.xyz = m.position;
+        v.xyz = m.velocity;
         Positions::store(s.velocities, at.index, v);
         Positions::store(s.predicted, at.index, x);
         for (const MeshTethers& tethers : s.tethers) {
             const Vec3 anchor = Positions::load(s.anchors, tethers.anchor_of.data() + first).xyz;
             m.position = Formulas::tethered(m.position, anchor, Real(tethers.lengths.data() + first));
         }
-        x.xyz = select_positive(x.w, m.position, held);
+        x.xyz = select_positive(x.w, m.position, start.position);
         Positions::store(s.positions, at.index, x);
     }
 
@@ -60,22 +60,20 @@ struct Kernel
     {
         const Places at(first);
         WideVec4<kLaneCount> x = Positions::load(s.positions, at.index), v = Positions::load(s.velocities, at.index);
-        const Vec3 end =
-            Formulas::corrected_velocity(v.xyz, Positions::load(s.predicted, at.index).xyz, x.xyz, Real(s.per_step));
+        const Vec3 end = Formulas::corrected_velocity(v.xyz, Positions::load(s.predicted, at.index).xyz, x.xyz,
+                                                      Real(s.times.per_step));
         Motion m = Formulas::motion(x.xyz, end);
-        if (s.bodies) {
-            WideVec4<kLaneCount> last_x = Positions::load(s.last_positions, at.index);
+        WideVec4<kLaneCount> last_x = Positions::load(s.last_positions, at.index);
+        typename Formulas::Contact contact = Formulas::free_of_contact(m);
+        if (s.bodies && push_out_of_bodies<kLaneCount>(*s.bodies, last_x.xyz, contact)) {
             WideVec4<kLaneCount> last_v = Positions::load(s.last_velocities, at.index);
-            const auto contact = push_out_of_bodies<kLaneCount>(*s.bodies, last_x.xyz, m);
             m = contact.motion;
             x.xyz = select_positive(x.w, m.position, x.xyz);
             Positions::store(s.positions, at.index, x);
-            // After a contact the motion before it says nothing about the one to come.
-            const Vec3 lost = m.velocity - end;
-            const Real touched = Formulas::dot_product(lost, lost);
-            const Motion last = Formulas::assumed_last(m, acceleration(s, at), Real(s.h));
-            last_x.xyz = select_positive(touched, last.position, last_x.xyz);
-            last_v.xyz = select_positive(touched, last.velocity, last_v.xyz);
+            const Motion last = Formulas::last_after_contact(Formulas::motion(last_x.xyz, last_v.xyz), m, end,
+                                                             acceleration(s, at), Real(s.times.h));
+            last_x.xyz = last.position;
+            last_v.xyz = last.velocity;
             Positions::store(s.last_positions, at.index, last_x);
             Positions::store(s.last_velocities, at.index, last_v);
         }

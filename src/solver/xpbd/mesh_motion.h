@@ -1,10 +1,12 @@
 // Start and end of a substep of any mesh: motion without springs, tethers and bodies; then the velocity.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "solver/base/cpu_bodies.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 
@@ -25,8 +27,8 @@ struct MeshMotion
     float *last_positions, *last_velocities;  // one substep before
     float* predicted;                         // positions before tethers and springs
     const float* acceleration;                // [m/s2] beside `common`; null: none
-    std::array<float, 3> common;              // [m/s2] of every vertex
-    float h, step, per_step, keep;            // shaders/shared/xpbd.h
+    glm::vec3 common;                         // [m/s2] of every vertex
+    SubstepTimes times;
     std::span<const MeshTethers> tethers;
     const float* anchors;
     const BodyContacts* bodies;  // null: none

@@ -1,12 +1,10 @@
 // Substeps of a sheet in colours.
 #include "solver/xpbd/mesh_sheet.h"
 
-#include <algorithm>
 #include <map>
 
-#include "model/formulas.h"
-
 namespace nuno {
+
 MeshSheet::MeshSheet(const ClothModel& model, const Sheet& sheet, int lanes)
     : model_(model), sheet_(sheet), lanes_(lanes), constraints_(model, sheet)
 {
@@ -24,7 +22,7 @@ void MeshSheet::upload(const ClothState& state)
         positions_[place(v)] = state.positions[v];
         velocities_[place(v)] = state.velocities[v];
     }
-    masses_changed_ = pins_changed_ = true;
+    masses_changed_ = true;
     last_is_known_ = false;
 }
 
@@ -32,9 +30,7 @@ void MeshSheet::upload(const ClothState& state)
 void MeshSheet::forget_last(std::size_t place)
 {
     if (!made_for_) return;
-    const SimParams& p = *made_for_;
-    const formulas::Motion now = formulas::motion(glm::vec3(positions_[place]), glm::vec3(velocities_[place]));
-    const formulas::Motion last = formulas::assumed_last(now, {p.gravity_x, p.gravity_y, p.gravity_z}, substep_s(p));
+    const formulas::Motion last = assumed_past(*made_for_, glm::vec3(positions_[place]), glm::vec3(velocities_[place]));
     last_positions_[place] = glm::vec4(last.position, 0);
     last_velocities_[place] = glm::vec4(last.velocity, 0);
 }
@@ -53,35 +49,29 @@ void MeshSheet::set_vertex(std::uint32_t vertex, glm::vec4 position)
     if (vertex - sheet_.first_vertex >= sheet_.vertex_count) return;
     glm::vec4& x = positions_[place(vertex)];
     masses_changed_ = masses_changed_ || x.w != position.w;
-    pins_changed_ = pins_changed_ || (x.w == 0) != (position.w == 0);
     x = position;
     velocities_[place(vertex)] = glm::vec4(0);
     forget_last(place(vertex));
 }
 
-void MeshSheet::make_tethers(const SimParams& params)
+void MeshSheet::place_tethers(std::span<const Tether> all)
 {
     constexpr float no_tether = 1e18f;
     tethers_.clear();
     anchor_places_.clear();
-    if (params.tethers == Tethers::none) return;
-    if (!geodesics_) geodesics_.emplace(model_, sheet_);
-    std::vector<std::uint8_t> held(model_.vertex_count());
-    for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v)
-        held[v] = positions_[place(v)].w == 0;
-    const std::vector<Tether> tethers = geodesics_->pin_tethers(held);
+    if (all.empty()) return;
     std::map<std::uint32_t, std::uint32_t> known;
     for (std::size_t slot = 0; slot < std::size_t(kTethersPerVertex); ++slot) {
         MeshTethers& to = tethers_.emplace_back();
         to.anchor_of.assign(velocities_.size(), 0);
         to.lengths.assign(velocities_.size(), no_tether);
-        for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
-            const Tether& tether = tethers[slot * sheet_.vertex_count + v];
+        for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v) {
+            const Tether& tether = all[slot * model_.vertex_count() + v];
             if (tether.anchor == Tether::kNone) continue;
             const auto [at, added] = known.emplace(tether.anchor, static_cast<std::uint32_t>(anchor_places_.size()));
             if (added) anchor_places_.push_back(static_cast<std::uint32_t>(place(tether.anchor)));
-            to.anchor_of[constraints_.places()[v]] = 4 * at->second;
-            to.lengths[constraints_.places()[v]] = tether.length * (1 + params.tether_stretch);
+            to.anchor_of[place(v)] = 4 * at->second;
+            to.lengths[place(v)] = tether.length;
         }
     }
     if (anchor_places_.empty()) tethers_.clear();
@@ -90,16 +80,15 @@ void MeshSheet::make_tethers(const SimParams& params)
 void MeshSheet::prepare(const XpbdStep& step)
 {
     const SimParams& p = step.input.params;
-    const auto differs = [&](auto member) { return !made_for_ || (*made_for_).*member != p.*member; };
+    const XpbdChanges changes = xpbd_changes(made_for_, p);
     const bool limited = p.strain_limit > 0;
     const bool weights_changed = step.weights_changed || !made_for_ || (made_for_->strain_limit > 0) != limited;
     if (weights_changed) constraints_.choose(step.weights, static_cast<std::uint32_t>(velocities_.size()), limited);
-    if (weights_changed || masses_changed_ || differs(&SimParams::substeps) || differs(&SimParams::frame_rate) ||
-        differs(&SimParams::iterations) || differs(&SimParams::strain_limit))
-        constraints_.set_numbers(SubstepTimes(p).step, 2 * std::max(p.iterations, 1), p.strain_limit, positions_);
-    if (pins_changed_ || differs(&SimParams::tethers) || differs(&SimParams::tether_stretch)) make_tethers(p);
-    if (differs(&SimParams::substeps) || differs(&SimParams::frame_rate)) last_is_known_ = false;
-    masses_changed_ = pins_changed_ = false;
+    if (weights_changed || masses_changed_ || changes.shares)
+        constraints_.set_numbers(SubstepTimes(p).step, 2 * sweep_pairs(p), p.strain_limit, positions_);
+    if (step.tethers_changed) place_tethers(step.tethers);
+    if (changes.times) last_is_known_ = false;
+    masses_changed_ = false;
     made_for_ = p;
     if (!last_is_known_)
         for (std::size_t place = 0; place < velocities_.size(); ++place) forget_last(place);
@@ -119,82 +108,67 @@ void MeshSheet::move_pins(const XpbdStep& step, int substep)
     for (const std::uint32_t at : anchor_places_) anchors_.push_back(positions_[at]);
 }
 
-void MeshSheet::sweep_pair(int thread, SpinBarrier* barrier, int thread_count)
+void MeshSheet::sweep_pair(const Team& team)
 {
     float* const positions = &positions_[0].x;
     const bool limited = made_for_->strain_limit > 0;
     const ConstraintColours &springs = constraints_.springs(), &plates = constraints_.plates();
     // Colours of springs, then of plates.
     const auto sweep = [&](int colour) {
-        const bool plate = colour >= springs.colour_count();
-        const Range all = plate ? plates.batches(colour - springs.colour_count()) : springs.batches(colour);
-        const Range part = part_of(all.end - all.begin, 1, thread, thread_count);
-        const Range mine{all.begin + part.begin, all.begin + part.end};
-        if (plate)
-            project_plates(plates, mine, positions, lanes_);
+        if (colour < springs.colour_count())
+            project_springs(springs, team.part(springs.batches(colour)), limited, positions, lanes_);
         else
-            project_springs(springs, mine, limited, positions, lanes_);
-        if (barrier) barrier->arrive_and_wait();
+            project_plates(plates, team.part(plates.batches(colour - springs.colour_count())), positions, lanes_);
+        team.wait();
     };
     const int colour_count = springs.colour_count() + plates.colour_count();
     for (int colour = 0; colour < colour_count; ++colour) sweep(colour);
     for (int colour = colour_count - 1; colour >= 0; --colour) sweep(colour);
 }
 
-void MeshSheet::run_thread(const XpbdStep& step, MeshMotion motion, int thread, SpinBarrier* barrier, int thread_count)
+void MeshSheet::run_thread(const XpbdStep& step, MeshMotion motion, const Team& team)
 {
     const SimParams& p = step.input.params;
-    const Range blocks = part_of(static_cast<int>(velocities_.size()) / kMeshBlock, 1, thread, thread_count);
+    const Range blocks = team.part(static_cast<int>(velocities_.size()) / kMeshBlock);
     BodyContacts contacts = step.bodies.contacts(0, p);
-    const auto wait = [&] {
-        if (barrier) barrier->arrive_and_wait();
-    };
     for (int k = step.first_substep; k < step.first_substep + step.substep_count; ++k) {
         contacts.bodies = step.bodies.steps().bodies(k);
         motion.bodies = contacts.bodies.empty() ? nullptr : &contacts;
-        const double time_s = step.input.start_time_s + k * double(motion.h);
-        motion.common = {p.gravity_x, p.gravity_y, p.gravity_z + wind_pressure(p, time_s) / p.areal_density};
-        if (thread == 0) move_pins(step, k);
-        wait();
+        motion.common = common_acceleration(p, step.input.start_time_s + k * double(motion.times.h));
+        if (team.leads()) move_pins(step, k);
+        team.wait();
         motion.anchors = anchors_.empty() ? nullptr : &anchors_[0].x;
         predict_blocks(motion, blocks);
-        wait();
-        for (int pair = 0; pair < std::max(p.iterations, 1); ++pair) sweep_pair(thread, barrier, thread_count);
+        team.wait();
+        for (int pair = 0; pair < sweep_pairs(p); ++pair) sweep_pair(team);
         finish_blocks(motion, blocks);
-        wait();
+        team.wait();
     }
 }
 
 void MeshSheet::step(const XpbdStep& step)
 {
     prepare(step);
-    const SimParams& p = step.input.params;
-    const SubstepTimes times(p);
     if (!step.accelerations.empty()) {
         accelerations_.resize(velocities_.size());
         for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v)
             accelerations_[place(v)] = glm::vec4(step.accelerations[v], 0);
     }
     const auto numbers = [](Vec4s& a) { return a.empty() ? nullptr : &a[0].x; };
-    const MeshMotion motion{numbers(positions_),
-                            numbers(velocities_),
-                            numbers(last_positions_),
-                            numbers(last_velocities_),
-                            numbers(predicted_),
-                            step.accelerations.empty() ? nullptr : numbers(accelerations_),
-                            {},
-                            times.h,
-                            times.step,
-                            times.per_step,
-                            times.keep,
-                            tethers_,
-                            nullptr,
-                            nullptr,
-                            lanes_};
-    const int thread_count = sheet_.vertex_count < kLeastVerticesForThreads ? 1 : step.pool.thread_count();
-    if (thread_count == 1) return run_thread(step, motion, 0, nullptr, 1);
-    SpinBarrier barrier(thread_count);
-    step.pool.run([&](int thread) { run_thread(step, motion, thread, &barrier, thread_count); });
+    const MeshMotion motion{.positions = numbers(positions_),
+                            .velocities = numbers(velocities_),
+                            .last_positions = numbers(last_positions_),
+                            .last_velocities = numbers(last_velocities_),
+                            .predicted = numbers(predicted_),
+                            .acceleration = step.accelerations.empty() ? nullptr : numbers(accelerations_),
+                            .common = {},
+                            .times = SubstepTimes(step.input.params),
+                            .tethers = tethers_,
+                            .anchors = nullptr,
+                            .bodies = nullptr,
+                            .lanes = lanes_};
+    run_team(step.pool, team_size(step.pool, sheet_.vertex_count),
+             [&](const Team& team) { run_thread(step, motion, team); });
 }
 
 void MeshSheet::download_positions(std::span<glm::vec4> positions) const

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "model/tethers.h"
+#include "solver/base/team.h"
 #include "solver/xpbd/mesh_constraints.h"
 #include "solver/xpbd/mesh_motion.h"
 #include "solver/xpbd/xpbd_part.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 
@@ -28,10 +30,10 @@ class MeshSheet final : public XpbdPart
     using Vec4s = std::vector<glm::vec4>;
 
     void prepare(const XpbdStep& step);
-    void make_tethers(const SimParams& params);
+    void place_tethers(std::span<const Tether> all);
     void move_pins(const XpbdStep& step, int substep);
-    void run_thread(const XpbdStep& step, MeshMotion motion, int thread, SpinBarrier* barrier, int thread_count);
-    void sweep_pair(int thread, SpinBarrier* barrier, int thread_count);
+    void run_thread(const XpbdStep& step, MeshMotion motion, const Team& team);
+    void sweep_pair(const Team& team);
     void forget_last(std::size_t place);
     std::size_t place(std::uint32_t vertex) const { return constraints_.places()[vertex - sheet_.first_vertex]; }
 
@@ -39,14 +41,13 @@ class MeshSheet final : public XpbdPart
     const Sheet& sheet_;
     const int lanes_;
     MeshConstraints constraints_;
-    std::optional<SheetGeodesics> geodesics_;  // made where tethers first need it
 
     // By place, as MeshConstraints numbers the vertices.
     Vec4s positions_, velocities_, last_positions_, last_velocities_, predicted_, accelerations_, anchors_;
     std::vector<MeshTethers> tethers_;
     std::vector<std::uint32_t> anchor_places_;
-    bool masses_changed_ = true, pins_changed_ = true;
-    std::optional<SimParams> made_for_;  // the parameters of springs and tethers
+    bool masses_changed_ = true;
+    std::optional<SimParams> made_for_;  // the parameters of the constraints
     bool last_is_known_ = false;         // false: the next substep is the first
 };
 

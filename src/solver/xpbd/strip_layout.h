@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
-#include <vector>
 
 #include "model/cloth_model.h"
+#include "solver/base/aligned_floats.h"
 
 namespace nuno {
 
@@ -16,21 +15,7 @@ constexpr int kStrips = 16;
 // Floats of a vector of positions: kStrips x, then y, then z.
 constexpr int kVec3Floats = 3 * kStrips;
 
-template <class T>
-struct CacheLineAllocator
-{
-    using value_type = T;
-    static constexpr std::align_val_t kAlignment{64};
-    CacheLineAllocator() = default;
-    template <class U>
-    CacheLineAllocator(const CacheLineAllocator<U>&)
-    {
-    }
-    T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), kAlignment)); }
-    void deallocate(T* at, std::size_t) { ::operator delete(at, kAlignment); }
-    friend bool operator==(CacheLineAllocator, CacheLineAllocator) { return true; }
-};
-using StripLanes = std::vector<float, CacheLineAllocator<float>>;
+using StripLanes = AlignedFloats;
 
 // Column i of a row is lane i / width of vector i % width; lanes past the last column are padding, which no spring
 // joins to the sheet. Rows of the layout are the rows of the sheet, or its columns where that leaves less padding.

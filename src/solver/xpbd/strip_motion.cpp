@@ -19,56 +19,51 @@ struct Kernel : StripLane<kLaneCount>
 
     static NUNO_WIDE_INLINE Vec3 acceleration(const StripMotion& s, std::size_t at)
     {
-        const Vec3 a{Real(s.common[0]), Real(s.common[1]), Real(s.common[2])};
+        const Vec3 a = wide(s.common);
         return s.acceleration ? a + load(s.acceleration + at) : a;
     }
 
     static NUNO_WIDE_INLINE void predict(const StripMotion& s, std::size_t vector, std::size_t at, int lane)
     {
         const Real mobility(s.mobility + vector * kStrips + lane);
-        const Vec3 x = load(s.positions + at + lane), v = load(s.velocities + at + lane);
+        const Motion start = Formulas::motion(load(s.positions + at + lane), load(s.velocities + at + lane));
         const Motion last = Formulas::motion(load(s.last_positions + at + lane), load(s.last_velocities + at + lane));
-        Motion m = Formulas::predicted_motion(Formulas::motion(x, v), last, acceleration(s, at + lane), Real(s.keep),
-                                              Real(s.step));
-        store(s.last_positions + at + lane, x);
-        store(s.last_velocities + at + lane, v);
-        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, x, m).motion;
+        Motion m =
+            Formulas::predicted_motion(start, last, acceleration(s, at + lane), Real(s.times.keep), Real(s.times.step));
+        store(s.last_positions + at + lane, start.position);
+        store(s.last_velocities + at + lane, start.velocity);
+        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, start.position, m).motion;
         if (s.contacts) {
             const float* anchor = s.anchors + std::size_t(s.contacts->anchor_of[vector]) * kVec3Floats + lane;
             m = Formulas::held_back(m, load(anchor), Real(s.contacts->lengths.data() + vector * kStrips + lane));
         }
-        m.position = select_positive(mobility, m.position, x);
-        m.velocity = select_positive(mobility, m.velocity, v);
+        m = Formulas::select_motion(mobility, m, start);
         store(s.velocities + at + lane, m.velocity);
         store(s.predicted + at + lane, m.position);
-        Vec3 end = m.position;
         for (const StripTethers& tethers : s.tethers) {
             const float* anchor = s.anchors + std::size_t(tethers.anchor_of[vector]) * kVec3Floats + lane;
-            end = Formulas::tethered(end, load(anchor), Real(tethers.lengths.data() + vector * kStrips + lane));
+            m.position =
+                Formulas::tethered(m.position, load(anchor), Real(tethers.lengths.data() + vector * kStrips + lane));
         }
-        store(s.positions + at + lane, select_positive(mobility, end, x));
+        store(s.positions + at + lane, select_positive(mobility, m.position, start.position));
     }
 
     static NUNO_WIDE_INLINE void finish(const StripMotion& s, std::size_t vector, std::size_t at, int lane)
     {
         const Real mobility(s.mobility + vector * kStrips + lane);
         const Vec3 x = load(s.positions + at + lane), v = load(s.velocities + at + lane);
-        const Vec3 end = Formulas::corrected_velocity(v, load(s.predicted + at + lane), x, Real(s.per_step));
+        const Vec3 end = Formulas::corrected_velocity(v, load(s.predicted + at + lane), x, Real(s.times.per_step));
         Motion m = Formulas::motion(x, end);
-        if (s.bodies) {
-            const auto contact = push_out_of_bodies<kLaneCount>(*s.bodies, load(s.last_positions + at + lane), m);
+        typename Formulas::Contact contact = Formulas::free_of_contact(m);
+        if (s.bodies && push_out_of_bodies<kLaneCount>(*s.bodies, load(s.last_positions + at + lane), contact)) {
             m = contact.motion;
             store(s.positions + at + lane, select_positive(mobility, m.position, x));
-            select_positive(mobility, contact.sticks, Real(0.0f)).store(s.sticking + vector * kStrips + lane);
-            // After a contact the motion before it says nothing about the one to come.
-            const Vec3 lost = m.velocity - end;
-            const Real touched = Formulas::dot_product(lost, lost);
-            const Motion last = Formulas::assumed_last(m, acceleration(s, at + lane), Real(s.h));
-            store(s.last_positions + at + lane,
-                  select_positive(touched, last.position, load(s.last_positions + at + lane)));
-            store(s.last_velocities + at + lane,
-                  select_positive(touched, last.velocity, load(s.last_velocities + at + lane)));
+            Motion last = Formulas::motion(load(s.last_positions + at + lane), load(s.last_velocities + at + lane));
+            last = Formulas::last_after_contact(last, m, end, acceleration(s, at + lane), Real(s.times.h));
+            store(s.last_positions + at + lane, last.position);
+            store(s.last_velocities + at + lane, last.velocity);
         }
+        if (s.bodies) select_positive(mobility, contact.sticks, Real(0.0f)).store(s.sticking + vector * kStrips + lane);
         store(s.velocities + at + lane, select_positive(mobility, m.velocity, v));
     }
 

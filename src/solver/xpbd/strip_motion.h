@@ -1,12 +1,14 @@
 // Start and end of a substep of a sheet in strips: motion without springs, tethers and bodies; then the velocity.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/thread_pool.h"
 #include "solver/base/cpu_bodies.h"
 #include "solver/xpbd/strip_layout.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 
@@ -26,8 +28,8 @@ struct StripMotion
     float* predicted;                         // positions before tethers and springs
     const float* mobility;                    // a lane: inverse mass over that of the sheet; 0 where held
     const float* acceleration;                // [m/s2] beside `common`, as positions are; null: none
-    std::array<float, 3> common;              // [m/s2] of every vertex
-    float h, step, per_step, keep;            // shaders/shared/xpbd.h
+    glm::vec3 common;                         // [m/s2] of every vertex
+    SubstepTimes times;
     std::span<const StripTethers> tethers;
     const StripTethers* contacts;  // tethers to vertices that stick to bodies; null: none
     const float* anchors;          // [m] positions, kVec3Floats each

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/formulas.h"
-
 namespace nuno {
 namespace {
 
@@ -75,9 +73,7 @@ glm::vec3 StripSheet::at(const StripLanes& from, std::uint32_t vertex) const
 void StripSheet::forget_last(std::uint32_t vertex)
 {
     if (!made_for_) return;
-    const SimParams& p = *made_for_;
-    const formulas::Motion now = formulas::motion(at(positions_, vertex), at(velocities_, vertex));
-    const formulas::Motion last = formulas::assumed_last(now, {p.gravity_x, p.gravity_y, p.gravity_z}, substep_s(p));
+    const formulas::Motion last = assumed_past(*made_for_, at(positions_, vertex), at(velocities_, vertex));
     put(last_positions_, vertex, last.position);
     put(last_velocities_, vertex, last.velocity);
 }
@@ -99,7 +95,7 @@ void StripSheet::upload(const ClothState& state)
             const glm::vec3 x = origin + float(i) * across + float(j) * down;
             for (int axis = 0; axis < 3; ++axis) positions_[layout_.vec3(i, j) + std::size_t(axis * kStrips)] = x[axis];
         }
-    masses_changed_ = pins_changed_ = true;
+    masses_changed_ = true;
     last_is_known_ = false;
 }
 
@@ -121,48 +117,43 @@ void StripSheet::set_vertex(std::uint32_t vertex, glm::vec4 position)
     forget_last(vertex);
     float& inverse_mass = inverse_masses_[vertex - sheet_.first_vertex];
     masses_changed_ = masses_changed_ || inverse_mass != position.w;
-    pins_changed_ = pins_changed_ || (inverse_mass == 0) != (position.w == 0);
     inverse_mass = position.w;
 }
 
-void StripSheet::make_tethers(const SimParams& params)
+void StripSheet::place_tethers(std::span<const Tether> all)
 {
     tethers_.clear();
-    if (params.tethers == Tethers::none) return;
-    if (!geodesics_) geodesics_.emplace(model_, sheet_);
-    std::vector<std::uint8_t> held(model_.vertex_count());
-    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) held[sheet_.first_vertex + v] = inverse_masses_[v] == 0;
-    const std::vector<Tether> tethers = geodesics_->pin_tethers(held);
-    for (int slot = 0; slot < kTethersPerVertex; ++slot)
-        tethers_.add(layout_, sheet_, std::span(tethers).subspan(std::size_t(slot) * sheet_.vertex_count),
-                     1 + params.tether_stretch);
+    for (std::size_t first = sheet_.first_vertex; first < all.size(); first += model_.vertex_count())
+        tethers_.add(layout_, sheet_, all.subspan(first, sheet_.vertex_count));
+}
+
+// Masses that most vertices have, or nearly, become a mobility of 1.
+void StripSheet::take_masses()
+{
+    std::vector<float> free;
+    std::copy_if(inverse_masses_.begin(), inverse_masses_.end(), std::back_inserter(free),
+                 [](float w) { return w > 0; });
+    const auto middle = free.begin() + std::ptrdiff_t(free.size() / 2);
+    std::nth_element(free.begin(), middle, free.end());
+    inverse_mass_ = free.empty() ? 1.0f : *middle;
+    for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
+        const float mobility = inverse_masses_[v] / inverse_mass_;
+        mobility_[lane_of_[v]] = std::abs(mobility - 1) < kAlikeMass ? 1.0f : mobility;
+    }
 }
 
 void StripSheet::prepare(const XpbdStep& step)
 {
     const SimParams& p = step.input.params;
-    const bool weights_changed = step.weights_changed || !made_for_;
-    if (weights_changed) stiffnesses_ = strip_stiffnesses(model_, sheet_, layout_, step.weights);
-    if (masses_changed_) {
-        std::vector<float> free;
-        std::copy_if(inverse_masses_.begin(), inverse_masses_.end(), std::back_inserter(free),
-                     [](float w) { return w > 0; });
-        const auto middle = free.begin() + std::ptrdiff_t(free.size() / 2);
-        std::nth_element(free.begin(), middle, free.end());
-        inverse_mass_ = free.empty() ? 1.0f : *middle;
-        for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) {
-            const float mobility = inverse_masses_[v] / inverse_mass_;
-            mobility_[lane_of_[v]] = std::abs(mobility - 1) < kAlikeMass ? 1.0f : mobility;
-        }
-    }
-    const auto differs = [&](auto member) { return !made_for_ || (*made_for_).*member != p.*member; };
-    if (weights_changed || masses_changed_ || differs(&SimParams::substeps) || differs(&SimParams::frame_rate) ||
-        differs(&SimParams::iterations) || differs(&SimParams::strain_limit))
-        shares_.make(layout_, mobility_.data(), inverse_mass_, stiffnesses_, SubstepTimes(p).step,
-                     2 * std::max(p.iterations, 1), p.strain_limit);
-    if (differs(&SimParams::substeps) || differs(&SimParams::frame_rate)) last_is_known_ = false;
-    if (pins_changed_ || differs(&SimParams::tethers) || differs(&SimParams::tether_stretch)) make_tethers(p);
-    masses_changed_ = pins_changed_ = false;
+    const XpbdChanges changes = xpbd_changes(made_for_, p);
+    if (step.weights_changed || !made_for_) stiffnesses_ = strip_stiffnesses(model_, sheet_, layout_, step.weights);
+    if (masses_changed_) take_masses();
+    if (step.weights_changed || masses_changed_ || changes.shares)
+        shares_.make(layout_, mobility_.data(), inverse_mass_, stiffnesses_, SubstepTimes(p).step, 2 * sweep_pairs(p),
+                     p.strain_limit);
+    if (changes.times) last_is_known_ = false;
+    if (step.tethers_changed || !made_for_ || made_for_->tethers != p.tethers) place_tethers(step.tethers);
+    masses_changed_ = false;
     made_for_ = p;
     if (!last_is_known_)
         for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v) forget_last(sheet_.first_vertex + v);
@@ -180,14 +171,27 @@ Range StripSheet::block_rows(int block) const
     return {layout_.rows * block / block_count_, layout_.rows * (block + 1) / block_count_};
 }
 
+// The last rows of block `seam`, whose springs reach into the next block.
+Range StripSheet::seam_rows(int seam) const
+{
+    const int end = block_rows(seam).end;
+    return {end - kReachRows, end};
+}
+
+// Rows of a block that no spring of a seam's rows touches.
+Range StripSheet::rows_of_no_seam(int block) const
+{
+    const Range rows = block_rows(block);
+    return {block == 0 ? rows.begin : rows.begin + kReachRows, inner_rows(rows, block + 1 == block_count_).end};
+}
+
 void StripSheet::sweep_blocks(const Work& work, const StripMotion* motion, Range blocks) const
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
-        const Range rows = block_rows(block), inner = inner_rows(rows, block + 1 == block_count_);
-        if (motion) predict_rows(*motion, {inner.end, rows.end});
-        for (int end = inner.end; end > inner.begin; end -= kChunkRows) {
-            const Range chunk{std::max(end - kChunkRows, inner.begin), end};
-            if (motion) predict_rows(*motion, chunk);
+        const Range rows = inner_rows(block_rows(block), block + 1 == block_count_);
+        for (int end = rows.end; end > rows.begin; end -= kChunkRows) {
+            const Range chunk{std::max(end - kChunkRows, rows.begin), end};
+            if (motion) predict_rows(*motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
             sweep_rows(work.sweep, chunk);
         }
     }
@@ -196,13 +200,32 @@ void StripSheet::sweep_blocks(const Work& work, const StripMotion* motion, Range
 void StripSheet::sweep_blocks_back(const Work& work, const StripMotion* motion, Range blocks) const
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
-        const Range rows = block_rows(block), inner = inner_rows(rows, block + 1 == block_count_);
-        for (int begin = inner.begin; begin < inner.end; begin += kChunkRows) {
-            const Range chunk{begin, std::min(begin + kChunkRows, inner.end)};
+        const Range rows = inner_rows(block_rows(block), block + 1 == block_count_);
+        for (int begin = rows.begin; begin < rows.end; begin += kChunkRows) {
+            const Range chunk{begin, std::min(begin + kChunkRows, rows.end)};
             sweep_rows_back(work.sweep, chunk);
-            if (motion) finish_rows(*motion, chunk);
+            if (motion) finish_rows(*motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
         }
-        if (motion) finish_rows(*motion, {inner.end, rows.end});
+    }
+}
+
+// The springs of a seam are swept between the blocks on both of its sides, which go on to move it. Lightly once more
+// before all and after all, they end with no more excess than others.
+void StripSheet::start_at_seams(const Work& work, const StripMotion& motion, Range seams) const
+{
+    for (int seam = seams.begin; seam < seams.end; ++seam) {
+        const Range rows = seam_rows(seam);
+        predict_rows(motion, {rows.begin, rows.end + kReachRows});
+        sweep_lightly(work.sweep, rows);
+    }
+}
+
+void StripSheet::finish_at_seams(const Work& work, const StripMotion& motion, Range seams) const
+{
+    for (int seam = seams.begin; seam < seams.end; ++seam) {
+        const Range rows = seam_rows(seam);
+        sweep_lightly_back(work.sweep, rows);
+        finish_rows(motion, {rows.begin, rows.end + kReachRows});
     }
 }
 
@@ -217,38 +240,36 @@ void StripSheet::move_pins(const XpbdStep& step, int substep)
     tethers_.follow(positions_.data());
 }
 
-void StripSheet::run_thread(const Work& work, int thread, SpinBarrier* barrier)
+void StripSheet::run_thread(const Work& work, const Team& team)
 {
     const SimParams& p = work.step.input.params;
-    const Range blocks = part_of(block_count_, 1, thread, work.thread_count);
-    const Range seams = part_of(block_count_ - 1, 1, thread, work.thread_count);
-    const auto wait = [&] {
-        if (barrier) barrier->arrive_and_wait();
-    };
+    const Range blocks = team.part(block_count_), seams = team.part(block_count_ - 1);
     BodyContacts contacts = work.step.bodies.contacts(0, p);
     StripMotion motion = work.motion;
-    const int first = work.step.first_substep;
+    const int first = work.step.first_substep, pairs = sweep_pairs(p);
     for (int k = first; k < first + work.step.substep_count; ++k) {
         contacts.bodies = work.step.bodies.steps().bodies(k);
         motion.bodies = contacts.bodies.empty() ? nullptr : &contacts;
-        const double time_s = work.step.input.start_time_s + k * double(motion.h);
-        motion.common = {p.gravity_x, p.gravity_y, p.gravity_z + wind_pressure(p, time_s) / p.areal_density};
+        motion.common = common_acceleration(p, work.step.input.start_time_s + k * double(motion.times.h));
         if (!moving_pins_.empty()) {
-            wait();
-            if (thread == 0) move_pins(work.step, k);
-            wait();
+            team.wait();
+            if (team.leads()) move_pins(work.step, k);
+            team.wait();
         }
-        for (int pair = 0; pair < work.sweep_pairs; ++pair) {
+        start_at_seams(work, motion, seams);
+        for (int pair = 0; pair < pairs; ++pair) {
+            team.wait();
             sweep_blocks(work, pair == 0 ? &motion : nullptr, blocks);
-            wait();
+            team.wait();
             for (int seam = seams.begin; seam < seams.end; ++seam) {
-                const int end = block_rows(seam).end;
-                sweep_rows(work.sweep, {end - kReachRows, end});
-                sweep_rows_back(work.sweep, {end - kReachRows, end});
+                sweep_rows(work.sweep, seam_rows(seam));
+                sweep_rows_back(work.sweep, seam_rows(seam));
             }
-            wait();
-            sweep_blocks_back(work, pair + 1 == work.sweep_pairs ? &motion : nullptr, blocks);
+            team.wait();
+            sweep_blocks_back(work, pair + 1 == pairs ? &motion : nullptr, blocks);
         }
+        team.wait();
+        finish_at_seams(work, motion, seams);
     }
 }
 
@@ -256,41 +277,37 @@ void StripSheet::step(const XpbdStep& step)
 {
     prepare(step);
     const SimParams& p = step.input.params;
-    const SubstepTimes times(p);
     if (!step.accelerations.empty()) {
         accelerations_.resize(layout_.vec3_floats());
         for (std::uint32_t v = 0; v < sheet_.vertex_count; ++v)
             put(accelerations_, sheet_.first_vertex + v, step.accelerations[sheet_.first_vertex + v]);
     }
-    const StripMotion motion{&layout_,
-                             positions_.data(),
-                             velocities_.data(),
-                             last_positions_.data(),
-                             last_velocities_.data(),
-                             predicted_.data(),
-                             mobility_.data(),
-                             step.accelerations.empty() ? nullptr : accelerations_.data(),
-                             {},
-                             times.h,
-                             times.step,
-                             times.per_step,
-                             times.keep,
-                             tethers_.slots(),
-                             tethers_.contacts(),
-                             tethers_.anchors(),
-                             nullptr,
-                             sticking_.data(),
-                             lanes_};
-    const StripSweep sweep{positions_.data(),   &layout_, shares_.terms, shares_.has_plate, p.strain_limit > 0,
-                           shares_.rows.data(), lanes_};
-    const int thread_count =
-        sheet_.vertex_count < kLeastVerticesForThreads ? 1 : std::min(step.pool.thread_count(), block_count_);
-    const Work work{step, motion, sweep, std::max(p.iterations, 1), thread_count};
-    if (thread_count == 1) return run_thread(work, 0, nullptr);
-    SpinBarrier barrier(thread_count);
-    step.pool.run([&](int thread) {
-        if (thread < thread_count) run_thread(work, thread, &barrier);
-    });
+    const StripMotion motion{.layout = &layout_,
+                             .positions = positions_.data(),
+                             .velocities = velocities_.data(),
+                             .last_positions = last_positions_.data(),
+                             .last_velocities = last_velocities_.data(),
+                             .predicted = predicted_.data(),
+                             .mobility = mobility_.data(),
+                             .acceleration = step.accelerations.empty() ? nullptr : accelerations_.data(),
+                             .common = {},
+                             .times = SubstepTimes(p),
+                             .tethers = tethers_.slots(),
+                             .contacts = tethers_.contacts(),
+                             .anchors = tethers_.anchors(),
+                             .bodies = nullptr,
+                             .sticking = sticking_.data(),
+                             .lanes = lanes_};
+    const StripSweep sweep{.positions = positions_.data(),
+                           .layout = &layout_,
+                           .springs = shares_.terms,
+                           .has_plate = shares_.has_plate,
+                           .limited = p.strain_limit > 0,
+                           .rows = shares_.rows.data(),
+                           .lanes = lanes_};
+    const Work work{step, motion, sweep};
+    run_team(step.pool, std::min(team_size(step.pool, sheet_.vertex_count), block_count_),
+             [&](const Team& team) { run_thread(work, team); });
 }
 
 void StripSheet::download_positions(std::span<glm::vec4> positions) const

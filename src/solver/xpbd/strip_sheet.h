@@ -8,10 +8,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "solver/base/team.h"
 #include "solver/xpbd/strip_shares.h"
 #include "solver/xpbd/strip_tethers.h"
 #include "solver/xpbd/xpbd_part.h"
+#include "solver/xpbd/xpbd_terms.h"
 
 namespace nuno {
 
@@ -35,7 +38,6 @@ class StripSheet final : public XpbdPart
         const XpbdStep& step;
         StripMotion motion;
         StripSweep sweep;
-        int sweep_pairs, thread_count;
     };
     struct MovingPin
     {
@@ -43,12 +45,17 @@ class StripSheet final : public XpbdPart
     };
 
     void prepare(const XpbdStep& step);
-    void make_tethers(const SimParams& params);
+    void place_tethers(std::span<const Tether> all);
+    void take_masses();
     void move_pins(const XpbdStep& step, int substep);
-    void run_thread(const Work& work, int thread, SpinBarrier* barrier);
+    void run_thread(const Work& work, const Team& team);
     void sweep_blocks(const Work& work, const StripMotion* motion, Range blocks) const;
     void sweep_blocks_back(const Work& work, const StripMotion* motion, Range blocks) const;
+    void start_at_seams(const Work& work, const StripMotion& motion, Range seams) const;
+    void finish_at_seams(const Work& work, const StripMotion& motion, Range seams) const;
     Range block_rows(int block) const;
+    Range seam_rows(int seam) const;
+    Range rows_of_no_seam(int block) const;
     void put(StripLanes& to, std::uint32_t vertex, const glm::vec3& a);
     glm::vec3 at(const StripLanes& from, std::uint32_t vertex) const;
     void forget_last(std::uint32_t vertex);
@@ -60,7 +67,6 @@ class StripSheet final : public XpbdPart
     const int block_count_;
     std::vector<std::size_t> places_, lane_of_;  // of the sheet's vertices: of x in positions_, in mobility_
     std::vector<MovingPin> moving_pins_;
-    std::optional<SheetGeodesics> geodesics_;  // made where tethers first need it
 
     StripLanes positions_, velocities_, last_positions_, last_velocities_, predicted_, accelerations_;
     StripLanes mobility_, sticking_;
@@ -70,8 +76,8 @@ class StripSheet final : public XpbdPart
     StripStiffnesses stiffnesses_;
     StripShareTables shares_;
     StripTetherSlots tethers_;
-    bool masses_changed_ = true, pins_changed_ = true;
-    std::optional<SimParams> made_for_;  // the parameters of shares_ and tethers_
+    bool masses_changed_ = true;
+    std::optional<SimParams> made_for_;  // the parameters of shares_
     bool last_is_known_ = false;         // false: the next substep is the first
 };
 

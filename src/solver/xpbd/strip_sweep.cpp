@@ -33,21 +33,26 @@ struct Kernel : StripLane<kLaneCount>
             return Formulas::spring_pull(d, share, Real(s.share_length.data() + lane));
     }
 
+    // kLightly: times the common share, which is half for stiff springs and less for soft ones.
+    template <bool kLightly>
     static NUNO_WIDE_INLINE void project_plain(const StripSpringTerms& s, float* a, float* b)
     {
         for (int lane = 0; lane < kStrips; lane += kLaneCount) {
             const Vec3 xa = load(a + lane), xb = load(b + lane), d = xb - xa;
-            const Vec3 move = pull(s, d, lane) * d;
+            const Real p = pull(s, d, lane);
+            const Vec3 move = (kLightly ? Real(s.share.data() + lane) * p : p) * d;
             store(b + lane, xb - move);
             store(a + lane, xa + move);
         }
     }
 
+    template <bool kLightly>
     static NUNO_WIDE_INLINE void project_shared(const StripSpringTerms& s, float* a, float* b, const float* shares)
     {
         for (int lane = 0; lane < kStrips; lane += kLaneCount) {
             const Vec3 xa = load(a + lane), xb = load(b + lane), d = xb - xa;
-            const Real e = excess(s, d, lane, shares + 2 * kStrips);
+            const Real whole = excess(s, d, lane, shares + 2 * kStrips);
+            const Real e = kLightly ? Real(s.share.data() + lane) * whole : whole;
             // A vector in the next strip ends with the first lane of the vector behind it, unchanged. So it is written
             // first, for that may be a's.
             store(b + lane, xb - (Real(shares + kStrips + lane) * e) * d);
@@ -75,16 +80,15 @@ struct Kernel : StripLane<kLaneCount>
         return row + (column < width ? column * kVec3Floats : (column - width) * kVec3Floats + 1);
     }
 
-    // The springs of a kind that row a owns at vector c, from vector c + from of row a to c + to of row b.
-    static NUNO_WIDE_INLINE void project(const StripSpringTerms& s, const StripShares& shares, float* a, float* b,
-                                         int c, int from, int to, int width)
+    // The springs of a kind that a row owns at vector c, which end in these two vectors.
+    template <bool kLightly>
+    static NUNO_WIDE_INLINE void project(const StripSpringTerms& s, const StripShares& shares, int c, float* first,
+                                         float* second)
     {
-        float* const first = vector_at(a, c + from, width);
-        float* const second = vector_at(b, c + to, width);
         if (c >= shares.plain_begin && c < shares.plain_end)
-            project_plain(s, first, second);
+            project_plain<kLightly>(s, first, second);
         else
-            project_shared(s, first, second, shares.lanes + c * kStripShareFloats);
+            project_shared<kLightly>(s, first, second, shares.lanes + c * kStripShareFloats);
     }
 
     template <bool kBack, class Body>
@@ -98,14 +102,26 @@ struct Kernel : StripLane<kLaneCount>
         }
     }
 
+    template <bool kBack, bool kLightly>
+    static NUNO_WIDE_INLINE void across_phase(const StripSweep& sweep, const StripRowShares& shares, float* row,
+                                              int first)
+    {
+        const int width = sweep.layout->width;
+        walk<kBack>(first, width, 2, [&](int c) NUNO_WIDE_LAMBDA {
+            project<kLightly>(sweep.springs[kAcross], shares.springs[kAcross], c, vector_at(row, c, width),
+                              vector_at(row, c + 1, width));
+        });
+    }
+
+    // Lightly odd vectors, then even ones, then odd ones: without the first, the even springs, which come last in the
+    // reverse, would end without an excess and leave the odd ones twice theirs.
     template <bool kBack>
     static NUNO_WIDE_INLINE void across(const StripSweep& sweep, const StripRowShares& shares, float* row)
     {
-        const int width = sweep.layout->width;
-        const StripSpringTerms& s = sweep.springs[kAcross];
+        if constexpr (!kBack) across_phase<kBack, true>(sweep, shares, row, 1);
         for (int phase = 0; phase < 2; ++phase)
-            walk<kBack>(kBack ? 1 - phase : phase, width, 2,
-                        [&](int c) { project(s, shares.springs[kAcross], row, row, c, 0, 1, width); });
+            across_phase<kBack, false>(sweep, shares, row, kBack ? 1 - phase : phase);
+        if constexpr (kBack) across_phase<kBack, true>(sweep, shares, row, 1);
     }
 
     // Vectors 0, 1, 4, 5, 8, .. first, so that neighbours in the order do not wait for one another.
@@ -115,33 +131,41 @@ struct Kernel : StripLane<kLaneCount>
         const int width = sweep.layout->width;
         const StripSpringTerms& s = sweep.springs[kTwoAcross];
         for (int phase = 0; phase < 2; ++phase)
-            walk<kBack>(kBack ? 2 - 2 * phase : 2 * phase, width, 4, [&](int c) {
-                walk<kBack>(c, c + 2 < width ? c + 2 : width, 1,
-                            [&](int k) { project(s, shares.springs[kTwoAcross], row, row, k, 0, 2, width); });
+            walk<kBack>(kBack ? 2 - 2 * phase : 2 * phase, width, 4, [&](int c) NUNO_WIDE_LAMBDA {
+                walk<kBack>(c, c + 2 < width ? c + 2 : width, 1, [&](int k) NUNO_WIDE_LAMBDA {
+                    project<false>(s, shares.springs[kTwoAcross], k, vector_at(row, k, width),
+                                   vector_at(row, k + 2, width));
+                });
             });
     }
 
-    template <bool kBack, StripSpring kSpring, int kFrom, int kTo, int kRows>
+    template <bool kBack, bool kLightly, StripSpring kSpring, int kFrom, int kTo, int kRows>
     static NUNO_WIDE_INLINE void between(const StripSweep& sweep, const StripRowShares& shares, float* row)
     {
         const int width = sweep.layout->width;
         const StripSpringTerms& s = sweep.springs[kSpring];
         float* const other = row + kRows * sweep.layout->row_floats;
-        walk<kBack>(0, width, 1, [&](int c) { project(s, shares.springs[kSpring], row, other, c, kFrom, kTo, width); });
+        walk<kBack>(0, width, 1, [&](int c) NUNO_WIDE_LAMBDA {
+            project<kLightly>(s, shares.springs[kSpring], c, vector_at(row, c + kFrom, width),
+                              vector_at(other, c + kTo, width));
+        });
     }
 
-    template <bool kBack>
+    // kLightly: only those that leave the row, lightly.
+    template <bool kBack, bool kLightly>
     static NUNO_WIDE_INLINE void springs(const StripSweep& sweep, const StripRowShares& shares, float* at, int j)
     {
         const bool one_more = j + 1 < sweep.layout->rows, two_more = j + 2 < sweep.layout->rows;
-        const auto part = [&](StripSpring spring) {
+        const auto part = [&](StripSpring spring) NUNO_WIDE_LAMBDA {
             if (!sweep.springs[spring].present) return;
-            if (spring == kAcross) across<kBack>(sweep, shares, at);
-            if (spring == kTwoAcross) two_across<kBack>(sweep, shares, at);
-            if (spring == kDown && one_more) between<kBack, kDown, 0, 0, 1>(sweep, shares, at);
-            if (spring == kDownRight && one_more) between<kBack, kDownRight, 0, 1, 1>(sweep, shares, at);
-            if (spring == kDownLeft && one_more) between<kBack, kDownLeft, 1, 0, 1>(sweep, shares, at);
-            if (spring == kTwoDown && two_more) between<kBack, kTwoDown, 0, 0, 2>(sweep, shares, at);
+            if constexpr (!kLightly) {
+                if (spring == kAcross) across<kBack>(sweep, shares, at);
+                if (spring == kTwoAcross) two_across<kBack>(sweep, shares, at);
+            }
+            if (spring == kDown && one_more) between<kBack, kLightly, kDown, 0, 0, 1>(sweep, shares, at);
+            if (spring == kDownRight && one_more) between<kBack, kLightly, kDownRight, 0, 1, 1>(sweep, shares, at);
+            if (spring == kDownLeft && one_more) between<kBack, kLightly, kDownLeft, 1, 0, 1>(sweep, shares, at);
+            if (spring == kTwoDown && two_more) between<kBack, kLightly, kTwoDown, 0, 0, 2>(sweep, shares, at);
         };
         for (int k = 0; k < kStripSpringCount; ++k)
             part(static_cast<StripSpring>(kBack ? kStripSpringCount - 1 - k : k));
@@ -152,8 +176,9 @@ struct Kernel : StripLane<kLaneCount>
     {
         const int width = sweep.layout->width, stride = sweep.layout->row_floats;
         const float* const table = shares.plates[kPlate];
-        const auto at = [&](int rows_on, int c) { return vector_at(row + rows_on * stride, c, width); };
-        const auto project_at = [&](int c) {
+        const auto at = [&](int rows_on, int c)
+                            NUNO_WIDE_LAMBDA { return vector_at(row + rows_on * stride, c, width); };
+        const auto project_at = [&](int c) NUNO_WIDE_LAMBDA {
             if constexpr (kPlate == kPlateAcross)
                 project_plate<3>({at(0, c), at(0, c + 1), at(0, c + 2)}, {1, -2, 1}, table + c * 3 * kStrips);
             else if constexpr (kPlate == kPlateDown)
@@ -172,7 +197,7 @@ struct Kernel : StripLane<kLaneCount>
     static NUNO_WIDE_INLINE void plates(const StripSweep& sweep, const StripRowShares& shares, float* at, int j)
     {
         const bool one_more = j + 1 < sweep.layout->rows, two_more = j + 2 < sweep.layout->rows;
-        const auto part = [&](int k) {
+        const auto part = [&](int k) NUNO_WIDE_LAMBDA {
             if (!sweep.has_plate[std::size_t(k)]) return;
             if (k == kPlateAcross) plate<kBack, kPlateAcross>(sweep, shares, at);
             if (k == kPlateDown && two_more) plate<kBack, kPlateDown>(sweep, shares, at);
@@ -181,40 +206,46 @@ struct Kernel : StripLane<kLaneCount>
         for (int k = 0; k < kStripPlateCount; ++k) part(kBack ? kStripPlateCount - 1 - k : k);
     }
 
-    template <bool kBack>
+    template <bool kBack, bool kLightly>
     static NUNO_WIDE_INLINE void row(const StripSweep& sweep, int j)
     {
         const StripRowShares& shares = *sweep.rows[j];
         float* const at = sweep.positions + static_cast<std::ptrdiff_t>(j) * sweep.layout->row_floats;
-        if constexpr (kBack) plates<kBack>(sweep, shares, at, j);
-        springs<kBack>(sweep, shares, at, j);
-        if constexpr (!kBack) plates<kBack>(sweep, shares, at, j);
+        if constexpr (kBack && !kLightly) plates<kBack>(sweep, shares, at, j);
+        springs<kBack, kLightly>(sweep, shares, at, j);
+        if constexpr (!kBack && !kLightly) plates<kBack>(sweep, shares, at, j);
     }
 
+    template <bool kLightly>
     static NUNO_WIDE_INLINE void rows(const StripSweep& sweep, Range range, bool reverse)
     {
         if (reverse)
-            for (int j = range.begin; j < range.end; ++j) row<true>(sweep, j);
+            for (int j = range.begin; j < range.end; ++j) row<true, kLightly>(sweep, j);
         else
-            for (int j = range.end - 1; j >= range.begin; --j) row<false>(sweep, j);
+            for (int j = range.end - 1; j >= range.begin; --j) row<false, kLightly>(sweep, j);
     }
 };
 
-template <int kLaneCount>
+template <int kLaneCount, bool kLightly>
 NUNO_WIDE_INLINE void run(const StripSweep& sweep, Range rows, bool reverse)
 {
     if (sweep.limited)
-        Kernel<kLaneCount, true>::rows(sweep, rows, reverse);
+        Kernel<kLaneCount, true>::template rows<kLightly>(sweep, rows, reverse);
     else
-        Kernel<kLaneCount, false>::rows(sweep, rows, reverse);
+        Kernel<kLaneCount, false>::template rows<kLightly>(sweep, rows, reverse);
 }
 
-NUNO_BY_LANES(sweep, (const StripSweep& sweep, Range rows), run<kLaneCount>(sweep, rows, false))
-NUNO_BY_LANES(back, (const StripSweep& sweep, Range rows), run<kLaneCount>(sweep, rows, true))
+NUNO_BY_LANES(sweep, (const StripSweep& sweep, Range rows, bool back), (run<kLaneCount, false>(sweep, rows, back)))
+NUNO_BY_LANES(lightly, (const StripSweep& sweep, Range rows, bool back), (run<kLaneCount, true>(sweep, rows, back)))
 
 }  // namespace
 
-void sweep_rows(const StripSweep& sweep, Range rows) { NUNO_PICK_LANES(sweep, sweep.lanes)(sweep, rows); }
-void sweep_rows_back(const StripSweep& sweep, Range rows) { NUNO_PICK_LANES(back, sweep.lanes)(sweep, rows); }
+void sweep_rows(const StripSweep& sweep, Range rows) { NUNO_PICK_LANES(sweep, sweep.lanes)(sweep, rows, false); }
+void sweep_rows_back(const StripSweep& sweep, Range rows) { NUNO_PICK_LANES(sweep, sweep.lanes)(sweep, rows, true); }
+void sweep_lightly(const StripSweep& sweep, Range rows) { NUNO_PICK_LANES(lightly, sweep.lanes)(sweep, rows, false); }
+void sweep_lightly_back(const StripSweep& sweep, Range rows)
+{
+    NUNO_PICK_LANES(lightly, sweep.lanes)(sweep, rows, true);
+}
 
 }  // namespace nuno

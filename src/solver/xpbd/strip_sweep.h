@@ -75,4 +75,8 @@ struct StripSweep
 void sweep_rows(const StripSweep& sweep, Range rows);
 void sweep_rows_back(const StripSweep& sweep, Range rows);
 
+// The springs that leave these rows downwards, each lightly: for a soft spring less than for a stiff one.
+void sweep_lightly(const StripSweep& sweep, Range rows);
+void sweep_lightly_back(const StripSweep& sweep, Range rows);
+
 }  // namespace nuno

@@ -18,8 +18,7 @@ void StripTetherSlots::clear()
     places_.clear();
 }
 
-void StripTetherSlots::add(const StripLayout& layout, const Sheet& sheet, std::span<const Tether> tethers,
-                           float stretch)
+void StripTetherSlots::add(const StripLayout& layout, const Sheet& sheet, std::span<const Tether> tethers)
 {
     std::vector<std::uint32_t> place_of(sheet.vertex_count);
     for (int j = 0; j < layout.rows; ++j)
@@ -40,7 +39,7 @@ void StripTetherSlots::add(const StripLayout& layout, const Sheet& sheet, std::s
                 const Tether& tether = tethers[layout.vertex(sheet, i, j) - sheet.first_vertex];
                 if (tether.anchor == Tether::kNone) continue;
                 any = true;
-                slot.lengths[layout.lane(i, j)] = tether.length * stretch;
+                slot.lengths[layout.lane(i, j)] = tether.length;
                 places[std::size_t(strip)] = place_of[tether.anchor - sheet.first_vertex];
             }
             const auto [at, added] = known_.emplace(places, static_cast<std::uint32_t>(places_.size()));

@@ -15,10 +15,10 @@ class StripTetherSlots
 {
   public:
     void clear();
-    // Adds one slot: tether `v - first_vertex` of `tethers` is that of vertex v. Lengths are multiplied by `stretch`.
-    void add(const StripLayout& layout, const Sheet& sheet, std::span<const Tether> tethers, float stretch);
-    // Tethers of contacts: every vertex of the layout's grid is tethered to the nearest one that
-    // sticks to a body (a lane of `sticking`), at places of `positions` as they are now.
+    // Adds one slot: tether `v - first_vertex` of `tethers` is that of vertex v.
+    void add(const StripLayout& layout, const Sheet& sheet, std::span<const Tether> tethers);
+    // Tethers of contacts: every vertex of the layout's grid is tethered to the nearest one that sticks to a body (a
+    // lane of `sticking`), at places of `positions` as they are now. Lengths are multiplied by `stretch`.
     void set_contacts(const StripLayout& layout, const GridSpacing& spacing, const float* sticking,
                       const float* positions, float stretch);
     // Reads where the anchors are now, but for those of contacts.

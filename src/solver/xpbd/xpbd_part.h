@@ -1,7 +1,10 @@
 // One sheet as xpbd solves it: in strips, or in colours.
 #pragma once
 
+#include <span>
+
 #include "model/spring_weights.h"
+#include "model/tethers.h"
 #include "solver/base/cpu_bodies.h"
 
 namespace nuno {
@@ -13,22 +16,9 @@ struct XpbdStep
     ThreadPool& pool;
     const CpuBodies& bodies;
     std::span<const SpringWeight> weights;     // one a spring of the model
-    bool weights_changed;                      // since the step before
+    std::span<const Tether> tethers;           // as PinTethers has them, of all sheets; empty: none
+    bool weights_changed, tethers_changed;     // since the step before
     std::span<const glm::vec3> accelerations;  // [m/s2] beside gravity, one a vertex of the model; empty: none
-};
-
-// Lengths of time of a substep (shaders/shared/xpbd.h).
-struct SubstepTimes
-{
-    float h, step, per_step, keep;
-
-    explicit SubstepTimes(const SimParams& p)
-        : h(substep_s(p)),
-          step(static_cast<float>(double(h) * 2 / 3)),
-          per_step(static_cast<float>(1.5 / double(h))),
-          keep(static_cast<float>(1 / (1 + double(p.damping) / double(p.areal_density) * double(step))))
-    {
-    }
 };
 
 // Vertices are those of the model; a part reads and writes its own sheet's only.
@@ -43,8 +33,5 @@ class XpbdPart
     virtual void download_positions(std::span<glm::vec4> positions) const = 0;
     virtual void download_velocities(std::span<glm::vec4> velocities) const = 0;
 };
-
-// Fewer vertices than this are not worth waking a second thread for.
-inline constexpr std::uint32_t kLeastVerticesForThreads = 2048;
 
 }  // namespace nuno

@@ -1,0 +1,33 @@
+// Teams of threads.
+#include "solver/base/team.h"
+
+namespace nuno {
+namespace {
+
+constexpr std::uint32_t kLeastVerticesForThreads = 2048;
+
+}  // namespace
+
+double Team::sum(std::span<const double> values) const
+{
+    wait();
+    double total = 0;
+    for (const double value : values) total += value;
+    return total;
+}
+
+int team_size(const ThreadPool& pool, std::uint32_t vertex_count)
+{
+    return vertex_count < kLeastVerticesForThreads ? 1 : pool.thread_count();
+}
+
+void run_team(ThreadPool& pool, int thread_count, const std::function<void(const Team& team)>& body)
+{
+    if (thread_count == 1) return body(Team());
+    SpinBarrier barrier(thread_count);
+    pool.run([&](int thread) {
+        if (thread < thread_count) body(Team(thread, thread_count, &barrier));
+    });
+}
+
+}  // namespace nuno
