@@ -12,6 +12,7 @@
 
 #include "model/body_steps.h"
 #include "model/formulas.h"
+#include "support/body_meshes.h"
 #include "support/sheets.h"
 
 namespace nuno {
@@ -239,6 +240,48 @@ TEST(BodySteps, a_body_at_rest_has_no_velocity_at_all)
     steps.plan(2, 1e-3, 1);
     EXPECT_NE(steps.bodies(0)[0].velocity[0].w, 0) << "the sphere comes first and moves";
     for (const glm::vec4& row : steps.bodies(0)[1].velocity) EXPECT_EQ(row, glm::vec4(0));
+}
+
+TEST(BodySteps, grids_begin_where_their_bodies_say_whatever_their_sizes)
+{
+    Bodies bodies;
+    for (const float cell : {0.031f, 0.04f, 0.05f}) {
+        const TriangleMesh mesh = dented_box_mesh({0.3f, 0.2f, 0.25f}, 0.1f);
+        bodies.meshes.push_back(
+            {.mesh = mesh, .grid = std::make_shared<DistanceGrid>(make_distance_grid(mesh, cell, "mesh"))});
+    }
+    const ClothModel model = square_cloth(3, 1);
+    BodySteps steps(bodies, model);
+    steps.plan(0, 1e-3, 1);
+    const std::vector<float> numbers = steps.grid_numbers();
+    for (std::size_t body = 0; body < bodies.meshes.size(); ++body) {
+        const DistanceGrid& grid = *bodies.meshes[body].grid;
+        const auto start = BodySteps::kGridHeader * static_cast<std::size_t>(steps.bodies(0)[body].origin.w);
+        ASSERT_LE(start + BodySteps::kGridHeader + grid.values.size(), numbers.size());
+        EXPECT_EQ(numbers[start + 3], grid.cell);
+        EXPECT_EQ(numbers[start + BodySteps::kGridHeader], grid.values.front());
+        EXPECT_EQ(numbers[start + BodySteps::kGridHeader + grid.values.size() - 1], grid.values.back());
+    }
+}
+
+TEST(BodySteps, the_ball_around_a_body_holds_all_of_it)
+{
+    Bodies bodies;
+    bodies.spheres.push_back({{1, 2, 3}, 0.5f, {}});
+    bodies.capsules.push_back({{0, 0, 0}, {0, 0, 2}, 0.25f, {}});
+    bodies.boxes.push_back({{0, 1, 0}, {2, 4, 6}, glm::quat(1, 0, 0, 0), {}});
+    const TriangleMesh mesh = dented_box_mesh({0.3f, 0.2f, 0.25f}, 0.1f);
+    bodies.meshes.push_back(
+        {.mesh = mesh, .grid = std::make_shared<DistanceGrid>(make_distance_grid(mesh, 0.03f, "mesh"))});
+    const ClothModel model = square_cloth(3, 1);
+    BodySteps steps(bodies, model);
+    steps.plan(0, 1e-3, 1);
+    EXPECT_FLOAT_EQ(steps.bound(0), 0.5f);
+    EXPECT_FLOAT_EQ(steps.bound(1), 1.25f);
+    EXPECT_FLOAT_EQ(steps.bound(2), std::sqrt(1.0f + 4.0f + 9.0f));
+    for (const glm::vec3& vertex : mesh.positions) EXPECT_GE(steps.bound(3), glm::length(vertex));
+    // Kernels read it of boxes and meshes.
+    for (std::size_t body : {2, 3}) EXPECT_EQ(steps.bodies(0)[body].position.w, steps.bound(body));
 }
 
 TEST(BodySteps, pins_follow_their_handle)

@@ -1,4 +1,4 @@
-// The drape of presets (accuracy A8): the shadow of a disc of 30 cm on one of 18 cm.
+// The drape of presets (BS 5058, Cusick 1968): the shadow of a disc of 30 cm on one of 18 cm.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,10 +53,15 @@ double drape_coefficient(const ClothModel& model, const std::vector<glm::dvec3>&
         const glm::dvec3 a = x[face.x], b = x[face.y] - a, c = x[face.z] - a;
         const double area = b.x * c.z - c.x * b.z;
         if (area == 0) continue;
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i) {
+        // The pixels of its bounding box.
+        const auto pixel_of = [&](double place) {
+            return std::clamp(static_cast<int>(std::floor(place / pixel)) + side / 2, 0, side - 1);
+        };
+        const auto [left, right] = std::minmax({a.x, a.x + b.x, a.x + c.x});
+        const auto [near, far] = std::minmax({a.z, a.z + b.z, a.z + c.z});
+        for (int j = pixel_of(near); j <= pixel_of(far); ++j)
+            for (int i = pixel_of(left); i <= pixel_of(right); ++i) {
                 const double px = (i - side / 2 + 0.5) * pixel - a.x, pz = (j - side / 2 + 0.5) * pixel - a.z;
-                if (std::abs(px) > 0.05 || std::abs(pz) > 0.05) continue;
                 const double s = (px * c.z - c.x * pz) / area, t = (b.x * pz - px * b.z) / area;
                 if (s >= 0 && t >= 0 && s + t <= 1) dark[std::size_t(j * side + i)] = 1;
             }
@@ -76,7 +81,7 @@ double drape_of(SimParams params, int around, int rings)
     const SheetSource source = cusick_ring(around, rings);
     const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
     return drape_coefficient(
-        model, equilibrium(model, params, {model.start_positions.begin(), model.start_positions.end()}, 1e-4));
+        model, equilibrium(model, params, {model.start_positions.begin(), model.start_positions.end()}, 1e-3));
 }
 
 SimParams preset(Fabric fabric)
@@ -87,14 +92,54 @@ SimParams preset(Fabric fabric)
     return params;
 }
 
-// Bands of A8. Denim's band, 70 to 90, is not among them: docs/fabrics.md says why.
-TEST(Drape, presets_fall_in_the_bands_of_their_fabrics)
+struct Preset
 {
-    const std::tuple<Fabric, double, double> bands[] = {
-        {Fabric::cotton, 68, 8}, {Fabric::silk, 30, 10}, {Fabric::wool, 55, 15}};
-    for (const auto& [fabric, middle, half] : bands)
-        expect_measured(fmt::format("drape coefficient, {}, %", choice_names(Fabric{})[std::size_t(fabric)]),
-                        drape_of(preset(fabric), 96, 9), middle, half);
+    Fabric fabric;
+    double least, most;  // of the drape coefficient, %, where the fabric has been measured
+    double finer;        // what it drapes to on a ring of 128 x 12, which takes a minute to find
+    const char* source;
+};
+
+constexpr Preset kCotton{Fabric::cotton, 60, 76, 73.8, "Gan, Ly and Steven 1991"};
+constexpr Preset kWool{Fabric::wool, 40, 70, 49.2, "no single source"};
+constexpr Preset kDenim{Fabric::denim, 70, 90, 61.7, "no single source"};
+
+std::string what(Fabric fabric, std::string_view number)
+{
+    return fmt::format("drape coefficient, {}, {}, %", choice_names(fabric)[std::size_t(fabric)], number);
+}
+
+// On a ring of 96 x 9; fails where the finer one moves it by 3 points.
+double converged_drape_of(const Preset& of)
+{
+    const double found = drape_of(preset(of.fabric), 96, 9);
+    expect_measured(what(of.fabric, "on 96 x 9 against 128 x 12"), found, of.finer, 3);
+    return found;
+}
+
+void expect_drapes_as_measured(const Preset& of)
+{
+    expect_measured(what(of.fabric, fmt::format("band {} to {} ({})", of.least, of.most, of.source)),
+                    converged_drape_of(of), (of.least + of.most) / 2, (of.most - of.least) / 2);
+}
+
+TEST(Drape, cotton_falls_in_its_band) { expect_drapes_as_measured(kCotton); }
+TEST(Drape, wool_falls_in_its_band) { expect_drapes_as_measured(kWool); }
+
+// A known miss: with the bending stiffness that two laboratories measured, denim drapes more than the denims that were
+// draped (docs/fabrics.md). What it does is held to what it did.
+TEST(Drape, denim_is_softer_than_its_band)
+{
+    EXPECT_LT(converged_drape_of(kDenim), kDenim.least) << "no miss after all: hold it to its band";
+}
+
+// A known miss: silk folds over less than a cell of 7 mm, so its coefficient still falls with the mesh, and on a finer
+// one it finds no rest. It is in its band, 20 to 40 (Matsudaira and Yang 2003), on this mesh only.
+TEST(Drape, silk_is_not_converged)
+{
+    const double coarse = drape_of(preset(Fabric::silk), 64, 6), fine = drape_of(preset(Fabric::silk), 96, 9);
+    fmt::print("drape coefficient, silk: {:.1f} % on 64 x 6, {:.1f} % on 96 x 9\n", coarse, fine);
+    EXPECT_GT(coarse - fine, 3) << "converged after all: hold it to its band";
 }
 
 TEST(Drape, rises_with_the_bending_stiffness)

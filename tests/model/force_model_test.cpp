@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(models, ForceModelTest,
                              return std::string(choice_names(InternalModel{})[std::size_t(each.param)]);
                          });
 
-// Terminal speed of a flat cloth that falls face on, accuracy.md A10: sqrt(2 sigma g / (rho Cn)).
+// Terminal speed of a flat cloth that falls face on: sqrt(2 sigma g / (rho Cn)).
 TEST(ForceModel, air_carries_a_flat_cloth_at_its_terminal_speed)
 {
     SheetSource source = square_sheet(5, 1);

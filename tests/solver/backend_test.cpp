@@ -6,13 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include "gl/egl_context.h"
-#include "solver/method_table.h"
-#include "support/sheets.h"
+#include "solver/solver_runs.h"
 
 namespace nuno {
 namespace {
-
-const Bodies kNoBodies;
 
 class BackendTest : public testing::TestWithParam<Method>
 {
@@ -38,23 +35,15 @@ struct Pair
     std::unique_ptr<ClothSolver> cpu, gpu;
 };
 
-ClothState state_of(ClothSolver& solver, std::size_t count)
-{
-    ClothState state{std::vector<glm::vec4>(count), std::vector<glm::vec4>(count)};
-    solver.download_positions(state.positions);
-    solver.download_velocities(state.velocities);
-    return state;
-}
-
 // Hardware may divide and take roots to a few ulp: it is held to a distance, over few substeps.
-void expect_agreement(ClothSolver& cpu, ClothSolver& gpu, std::size_t count, int substeps)
+void expect_agreement(ClothSolver& cpu, ClothSolver& gpu, const ClothModel& model, int substeps)
 {
-    const ClothState a = state_of(cpu, count), b = state_of(gpu, count);
+    const ClothState a = state_of(cpu, model), b = state_of(gpu, model);
     if (gl_info().software) {
         EXPECT_EQ(state_hash(a), state_hash(b)) << "after " << substeps << " substeps";
         return;
     }
-    for (std::size_t v = 0; substeps <= 10 && v < count; ++v)
+    for (std::size_t v = 0; substeps <= 10 && v < model.vertex_count(); ++v)
         EXPECT_LE(glm::distance(glm::vec3(a.positions[v]), glm::vec3(b.positions[v])), 1e-5f) << "vertex " << v;
 }
 
@@ -83,10 +72,10 @@ TEST_P(BackendTest, grids_and_meshes_agree_after_1_10_100_and_1000_substeps)
             pair.cpu->step(input);
             pair.gpu->step(input);
             done = substeps;
-            expect_agreement(*pair.cpu, *pair.gpu, model.vertex_count(), substeps);
+            expect_agreement(*pair.cpu, *pair.gpu, model, substeps);
         }
         EXPECT_EQ(pair.cpu->first_not_finite(), std::nullopt);
-        EXPECT_NE(state_hash(state_of(*pair.cpu, model.vertex_count())), state_hash(start)) << "nothing moved";
+        EXPECT_NE(state_hash(state_of(*pair.cpu, model)), state_hash(start)) << "nothing moved";
     }
 }
 
@@ -109,8 +98,8 @@ TEST_P(BackendTest, live_changes_of_parameters_agree)
         solver->set_vertex(100, {0.3f, 0.2f, 0.1f, 0});
         solver->step({live, 0.2, 21});
     }
-    expect_agreement(*pair.cpu, *pair.gpu, model.vertex_count(), 10);
-    const ClothState state = state_of(*pair.gpu, model.vertex_count());
+    expect_agreement(*pair.cpu, *pair.gpu, model, 10);
+    const ClothState state = state_of(*pair.gpu, model);
     EXPECT_EQ(glm::vec3(state.positions[100]), glm::vec3(0.3f, 0.2f, 0.1f)) << "a held vertex stays";
 }
 
@@ -134,17 +123,12 @@ TEST_P(BackendTest, the_first_number_that_is_not_finite_is_found_on_both)
     }
 }
 
-// So that a new method is tested without being named here.
-std::vector<Method> every_method()
+std::vector<Method> methods_of_both_backends()
 {
-    std::vector<Method> methods;
-    for (const MethodInfo& info : method_table())
-        if (info.on(Backend::cpu) && info.on(Backend::gpu)) methods.push_back(info.method);
-    return methods;
+    return methods_that([](const MethodInfo& info) { return info.on(Backend::gpu); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, BackendTest, testing::ValuesIn(every_method()),
-                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+INSTANTIATE_TEST_SUITE_P(Methods, BackendTest, testing::ValuesIn(methods_of_both_backends()), kMethodName);
 
 }  // namespace
 }  // namespace nuno

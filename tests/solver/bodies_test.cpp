@@ -1,4 +1,5 @@
 // Cloth against rigid bodies: friction and moving bodies against closed forms, with every method.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,10 +10,10 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "model/formulas.h"
-#include "solver/method_table.h"
+#include "solver/solver_runs.h"
 #include "support/bodies.h"
 #include "support/body_meshes.h"
-#include "support/sheets.h"
+#include "support/verification.h"
 
 namespace nuno {
 namespace {
@@ -30,13 +31,14 @@ ClothModel patch(glm::vec3 centre, glm::vec3 across, glm::vec3 down)
     return build_cloth_model(std::span(&sheet, 1), MassLumping::area);
 }
 
-class BodyContactTest : public testing::TestWithParam<Method>
+class BodyContactTest : public testing::TestWithParam<MethodAndSweep>
 {
   protected:
     BodyContactTest()
     {
         params.backend = Backend::cpu;
-        params.method = GetParam();
+        params.method = GetParam().method;
+        params.sweep = GetParam().sweep;
         params.substeps = 20;
         params.damping = 0;
         params.thickness = 0.01f;
@@ -79,7 +81,7 @@ glm::dvec3 mean_of(const std::vector<glm::vec4>& values)
     return sum / double(values.size());
 }
 
-// accuracy.md A11: on a slope of angle theta cloth slides where tan(theta) > mu, with a = g (sin theta - mu cos theta).
+// Coulomb: on a slope of angle theta cloth slides where tan(theta) > mu, with a = g (sin theta - mu cos theta).
 // Down the slope is the first of `sides`.
 struct Slope
 {
@@ -100,9 +102,9 @@ TEST_P(BodyContactTest, below_the_angle_of_friction_cloth_does_not_creep)
         const Slope slope(std::atan(mu) - kPi / 90);
         set_friction(mu);
         const double creep = furthest_from(run(slope.model, slope.bodies, 2), slope.model.start_positions);
-        EXPECT_LT(creep, 1e-4) << "mu " << mu;
-        RecordProperty("creep_m_at_mu_" + std::to_string(int(10 * mu)) + "_tenths",
-                       std::to_string(1e9 * creep) + "e-9");
+        expect_measured(
+            fmt::format("slope 2 degrees below that of friction {}, {}: creep in 2 s, m", mu, name_of(GetParam())),
+            creep, 0, 1e-4);
     }
 }
 
@@ -115,11 +117,28 @@ TEST_P(BodyContactTest, above_the_angle_of_friction_cloth_slides_at_the_rate_of_
         const ClothState end = run(slope.model, slope.bodies, 2);
         const double expected = kGravity * (std::sin(theta) - mu * std::cos(theta));
         const double measured = glm::dot(mean_of(end.velocities), glm::dvec3(slope.down)) / 2;
-        EXPECT_NEAR(measured, expected, 0.02 * expected) << "mu " << mu;
-        RecordProperty("rate_error_at_mu_" + std::to_string(int(10 * mu)) + "_tenths",
-                       std::to_string(1e6 * (measured / expected - 1)) + "e-6");
+        expect_measured(
+            fmt::format("slope 2 degrees above that of friction {}, {}: acceleration, m/s2", mu, name_of(GetParam())),
+            measured, expected, 0.02 * expected);
         EXPECT_NEAR(glm::dot(mean_of(end.positions), glm::dvec3(slope.normal)), 0.31, 1e-4) << "mu " << mu;
     }
+}
+
+// The slope at which cloth begins to slide, found by halving: tan(theta) = mu. Past it by 1 %, it has slid 4 mm in 0.5
+// s.
+TEST_P(BodyContactTest, the_slope_at_which_cloth_begins_to_slide_is_that_of_friction)
+{
+    const double mu = 0.3;
+    set_friction(mu);
+    double held = 0.9 * mu, slid = 1.1 * mu;
+    for (int i = 0; i < 5; ++i) {
+        const double middle = (held + slid) / 2;
+        const Slope slope(std::atan(middle));
+        const double way = furthest_from(run(slope.model, slope.bodies, 0.5), slope.model.start_positions);
+        (way > 1e-3 ? slid : held) = middle;
+    }
+    expect_measured(fmt::format("slope at which cloth slides, {}: tangent", name_of(GetParam())), (held + slid) / 2, mu,
+                    0.01 * mu);
 }
 
 TEST_P(BodyContactTest, static_friction_above_the_kinetic_holds_a_steeper_slope)
@@ -140,8 +159,9 @@ TEST_P(BodyContactTest, on_the_flat_cloth_stops_after_v_squared_over_2_mu_g)
     set_friction(0.3);
     const ClothState end = run(model, bodies, 1, {2, 0, 0});
     const double expected = 2 * 2 / (2 * 0.3 * kGravity), measured = mean_of(end.positions).x;
-    EXPECT_NEAR(measured, expected, 2 * h()) << "first order: v0 h";
-    RecordProperty("stopping_distance_m", std::to_string(measured) + " of " + std::to_string(expected));
+    // First order: v0 h.
+    expect_measured(fmt::format("stopping distance on the flat, {}: m", name_of(GetParam())), measured, expected,
+                    2 * h());
     EXPECT_NEAR(mean_of(end.velocities).x, 0, 1e-6);
 }
 
@@ -231,17 +251,14 @@ TEST_P(BodyContactTest, pins_go_with_their_handle_and_pull_the_cloth)
     EXPECT_GT(mean_of(end.positions).y, -0.4) << "fell without the pins";
 }
 
-// So that a new method is tested without being named here.
-std::vector<Method> every_method()
+std::vector<MethodAndSweep> all_but_the_reference()
 {
-    std::vector<Method> methods;
-    for (const MethodInfo& info : method_table())
-        if (info.make_cpu && info.method != Method::reference) methods.push_back(info.method);
-    return methods;
+    std::vector<MethodAndSweep> all = methods_and_sweeps();
+    std::erase_if(all, [](const MethodAndSweep& each) { return each.method == Method::reference; });
+    return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, BodyContactTest, testing::ValuesIn(every_method()),
-                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+INSTANTIATE_TEST_SUITE_P(Methods, BodyContactTest, testing::ValuesIn(all_but_the_reference()), kMethodName);
 
 }  // namespace
 }  // namespace nuno

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "gl/egl_context.h"
-#include "solver/explicit_runs.h"
+#include "solver/solver_runs.h"
 
 namespace nuno {
 namespace {
@@ -102,8 +102,7 @@ TEST_P(FacesParityTest, pins_on_a_moving_handle_and_a_turning_body_agree)
     expect_agreement(model, bodies, params);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, FacesParityTest, testing::ValuesIn(explicit_methods()),
-                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+INSTANTIATE_TEST_SUITE_P(Methods, FacesParityTest, testing::ValuesIn(explicit_methods()), kMethodName);
 
 }  // namespace
 }  // namespace nuno

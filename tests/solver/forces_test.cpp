@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/force_model.h"
-#include "solver/explicit_runs.h"
+#include "solver/solver_runs.h"
 
 namespace nuno {
 namespace {

@@ -6,17 +6,10 @@
 
 #include "core/error.h"
 #include "gl/egl_context.h"
-#include "solver/method_table.h"
-#include "support/sheets.h"
+#include "solver/solver_runs.h"
 
 namespace nuno {
 namespace {
-
-struct MethodAndSweep
-{
-    Method method;
-    Sweep sweep;
-};
 
 class GpuPositionTest : public testing::TestWithParam<MethodAndSweep>
 {
@@ -63,10 +56,9 @@ class GpuPositionTest : public testing::TestWithParam<MethodAndSweep>
 
     std::unique_ptr<Context> context_;
     SimParams params_;
-    const Bodies none_;
 };
 
-void run(ClothSolver& solver, const SimParams& params, int first_frame, int count)
+void run_frames(ClothSolver& solver, const SimParams& params, int first_frame, int count)
 {
     for (int frame = first_frame; frame < first_frame + count; ++frame)
         solver.step({params, frame / double(params.frame_rate), params.substeps});
@@ -79,7 +71,8 @@ TEST_P(GpuPositionTest, small_and_large_sheets_with_tethers_and_several_iteratio
         for (const int iterations : {0, 3}) {
             params_.iterations = iterations;
             const ClothModel model = square_cloth(count, 1, {0, static_cast<std::uint32_t>(count - 1)});
-            expect_agreement(model, none_, [](ClothSolver& solver, SimParams& params) { run(solver, params, 0, 20); });
+            expect_agreement(model, kNoBodies,
+                             [](ClothSolver& solver, SimParams& params) { run_frames(solver, params, 0, 20); });
         }
 }
 
@@ -97,30 +90,30 @@ TEST_P(GpuPositionTest, several_sheets_with_bending_limit_and_moving_air_agree)
     params_.gust_speed = 2;
     Bodies bodies;
     bodies.spheres.push_back({{0.4f, -0.4f, 0.3f}, 0.2f});
-    expect_agreement(model, bodies, [](ClothSolver& solver, SimParams& params) { run(solver, params, 0, 20); });
+    expect_agreement(model, bodies, [](ClothSolver& solver, SimParams& params) { run_frames(solver, params, 0, 20); });
 }
 
 TEST_P(GpuPositionTest, pins_velocities_and_parameters_that_change_between_steps_agree)
 {
     const ClothModel model = square_cloth(17, 1, {0, 16}, MassLumping::area);
-    expect_agreement(model, none_, [&](ClothSolver& solver, SimParams& params) {
-        run(solver, params, 0, 3);
+    expect_agreement(model, kNoBodies, [&](ClothSolver& solver, SimParams& params) {
+        run_frames(solver, params, 0, 3);
         solver.set_vertex(200, {0.2f, -0.3f, 0.4f, 0});
-        run(solver, params, 3, 3);
+        run_frames(solver, params, 3, 3);
         std::vector<glm::vec4> velocities(model.vertex_count());
         solver.download_velocities(velocities);
         for (std::size_t v = 50; v < 60; ++v) velocities[v] += glm::vec4(0.5f, -0.25f, 1, 0);
         solver.upload_velocities(velocities);
-        run(solver, params, 6, 2);
+        run_frames(solver, params, 6, 2);
         solver.set_vertex(200, {0.2f, -0.3f, 0.4f, 1 / (params.areal_density * model.areas[200])});
         params.substeps = 9;
         params.structural_stiffness = 50;
         params.strain_limit = 0.2f;
-        run(solver, params, 8, 3);
+        run_frames(solver, params, 8, 3);
         params.tethers = Tethers::none;
         params.strain_limit = 0;
         params.stiffness_damping = 0;
-        run(solver, params, 11, 3);
+        run_frames(solver, params, 11, 3);
     });
 }
 
@@ -131,7 +124,7 @@ TEST_P(GpuPositionTest, tethers_to_contacts_are_refused_by_name)
     params_.tethers = Tethers::contacts;
     ThreadPool pool(1);
     try {
-        make_solver(model, none_, params_, pool);
+        make_solver(model, kNoBodies, params_, pool);
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("choose these, pins or none"), std::string::npos) << error.what();
@@ -151,17 +144,16 @@ TEST(GpuXpbd, bending_and_another_sweep_can_come_while_it_runs)
     params.tethers = Tethers::none;
     params.damping = 0;
     ThreadPool pool(1);
-    const Bodies none;
-    const auto solver = make_solver(model, none, params, pool);
+    const auto solver = make_solver(model, kNoBodies, params, pool);
     ClothState state = start_state(model, params);
     const float start = state.positions[0].y;
     solver->upload(state);
-    run(*solver, params, 0, 5);
+    run_frames(*solver, params, 0, 5);
     params.sweep = Sweep::jacobi;
-    run(*solver, params, 5, 5);
+    run_frames(*solver, params, 5, 5);
     params.sweep = Sweep::automatic;
     params.bending_warp = params.bending_weft = params.bending_bias = 1e-3f;
-    run(*solver, params, 10, 10);
+    run_frames(*solver, params, 10, 10);
     solver->download_positions(state.positions);
     const float time_s = 20 / 60.0f;
     // A free fall, of second order in the substep.
@@ -181,7 +173,7 @@ TEST(GpuXpbd, refuses_an_order_that_only_the_cpu_has_and_lists_its_own)
     params.sweep = Sweep::rows;
     ThreadPool pool(1);
     try {
-        make_solver(model, {}, params, pool);
+        make_solver(model, kNoBodies, params, pool);
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("coloured"), std::string::npos) << error.what();
@@ -190,12 +182,8 @@ TEST(GpuXpbd, refuses_an_order_that_only_the_cpu_has_and_lists_its_own)
 
 INSTANTIATE_TEST_SUITE_P(Methods, GpuPositionTest,
                          testing::Values(MethodAndSweep{Method::xpbd, Sweep::coloured},
-                                         MethodAndSweep{Method::xpbd, Sweep::jacobi},
-                                         MethodAndSweep{Method::vbd, Sweep::automatic}),
-                         [](const auto& test) {
-                             return std::string(choice_names(Method{})[std::size_t(test.param.method)]) + "_" +
-                                    std::string(choice_names(Sweep{})[std::size_t(test.param.sweep)]);
-                         });
+                                         MethodAndSweep{Method::xpbd, Sweep::jacobi}, MethodAndSweep{Method::vbd}),
+                         kMethodName);
 
 }  // namespace
 }  // namespace nuno

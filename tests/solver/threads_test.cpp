@@ -1,7 +1,7 @@
 // The number of threads changes nothing.
 #include <gtest/gtest.h>
 
-#include "solver/explicit_runs.h"
+#include "solver/solver_runs.h"
 
 namespace nuno {
 namespace {
@@ -58,8 +58,7 @@ TEST_P(ThreadsTest, forces_on_faces_are_the_same_bits_too)
     expect_same_bits(params);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, ThreadsTest, testing::ValuesIn(explicit_methods()),
-                         [](const auto& test) { return std::string(choice_names(Method{})[std::size_t(test.param)]); });
+INSTANTIATE_TEST_SUITE_P(Methods, ThreadsTest, testing::ValuesIn(explicit_methods()), kMethodName);
 
 }  // namespace
 }  // namespace nuno
