@@ -77,7 +77,7 @@ void set_param(const ParamInfo& info, void* block, double value, std::string_vie
         const auto stored = static_cast<std::int32_t>(value);
         std::memcpy(field, &stored, sizeof stored);
     }
-    if (info.then) info.then(block);
+    if (info.on_set) info.on_set(block);
 }
 
 void set_param_text(const ParamInfo& info, void* block, std::string_view text, std::string_view where)

@@ -35,8 +35,8 @@ struct ParamInfo
     std::string_view group;  // heading it stands under in the panel and the docs
     std::string_view help;   // one sentence
     std::span<const std::string_view> choices;
-    std::size_t offset;                   // bytes from the start of the block
-    void (*then)(void* block) = nullptr;  // called once a value is stored: sets the fields that follow from this one
+    std::size_t offset;                     // bytes from the start of the block
+    void (*on_set)(void* block) = nullptr;  // called once a value is stored: sets the fields that follow from this one
 };
 
 using ParamTable = std::span<const ParamInfo>;

@@ -43,7 +43,7 @@ ParamTable sim_param_table()
     };
     static const bool linked = [] {
         const auto fabric = std::ranges::find(table, "fabric", &ParamInfo::name);
-        fabric->then = [](void* block) { apply_fabric(*static_cast<SimParams*>(block)); };
+        fabric->on_set = [](void* block) { apply_fabric(*static_cast<SimParams*>(block)); };
         return true;
     }();
     static_cast<void>(linked);

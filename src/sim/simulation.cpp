@@ -55,7 +55,7 @@ Simulation::~Simulation() = default;
 void Simulation::build(const SimParams& asked)
 {
     auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, asked), asked.mass_lumping));
-    const SimParams params = resolve_params(*model, asked);
+    const SimParams params = resolve_params(*model, scene_.bodies, asked);
     auto pool = std::make_unique<ThreadPool>(params.threads);
     auto solver = make_solver(*model, scene_.bodies, params, *pool);
     solver_ = std::move(solver);
@@ -84,7 +84,7 @@ void Simulation::set_params(const SimParams& asked)
     for (const ParamInfo& info : sim_param_table())
         if (needs_restart(info.name) && param_value(info, &asked) != param_value(info, &asked_)) return build(asked);
 
-    const SimParams params = resolve_params(*model_, asked);
+    const SimParams params = resolve_params(*model_, scene_.bodies, asked);
     const bool new_pool = params.threads != params_.threads;
     const bool new_solver = new_pool || needs_new_solver(params, params_);
     if (new_solver || params.areal_density != params_.areal_density) {
@@ -115,7 +115,7 @@ void Simulation::follow_stretch()
     if (asked_.substeps > 0 || params_.internal_model != InternalModel::continuum || !is_explicit(params_.method))
         return;
     const double stretch = largest_face_stretch(*model_, state(), 1.0 / params_.frame_rate);
-    params_.substeps = resolve_params(*model_, asked_, stretch).substeps;
+    params_.substeps = resolve_params(*model_, scene_.bodies, asked_, stretch).substeps;
 }
 
 FrameStats Simulation::advance_frame()

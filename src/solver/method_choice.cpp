@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "model/face_table.h"
 #include "model/stability.h"
@@ -14,15 +15,10 @@ namespace {
 // How much a membrane may be stretched further within a frame.
 constexpr double kStretchInAFrame = 0.25;
 
-// Vertices along the longest side of the largest sheet, as if it were square.
-double side_of(const ClothModel& model)
+// Vertices along the longest side of a sheet, as if it were square.
+double side_of(const Sheet& sheet)
 {
-    double side = 1;
-    for (const Sheet& sheet : model.sheets) {
-        const double longest = sheet.is_grid() ? std::max(sheet.columns, sheet.rows) : std::sqrt(sheet.vertex_count);
-        side = std::max(side, longest);
-    }
-    return side;
+    return sheet.is_grid() ? std::max(sheet.columns, sheet.rows) : std::sqrt(double(sheet.vertex_count));
 }
 
 // The most that the wind presses on cloth at rest [N/m2].
@@ -33,14 +29,28 @@ double wind_load(const SimParams& p)
     return 0.5 * double(p.air_density) * double(p.pressure_coefficient) * speed * speed;
 }
 
-// Substeps of xpbd and vbd that keep the strain of a stiff sheet hung by two corners under 3 % (docs/methods.md), more
-// under more than the earth's load.
+// Substeps a second of xpbd and vbd that keep the strain of a stiff sheet under 3 % (docs/methods.md): of one that hangs
+// by pins, whose tethers carry it, as measured; of one without, the length that soft springs h^2 apart from stiff ones
+// leave, load (N - 1) / (2 c cell) h^2 with c measured.
+double sweeping_rate(const ClothModel& model, const Sheet& sheet, double load)
+{
+    constexpr double earth = 9.81, strain = 0.03, share = 0.25;
+    const double side = side_of(sheet);
+    const double hung = 60 * std::max(3.0, 6.4 * std::pow(side / 64, 0.7)) * std::max(1.0, std::sqrt(load / earth));
+    const auto pins = model.pinned.begin() + sheet.first_vertex;
+    if (std::any_of(pins, pins + sheet.vertex_count, [](std::uint8_t pin) { return pin != 0; })) return hung;
+    const auto areas = model.areas.begin() + sheet.first_vertex;
+    const double cell = std::sqrt(std::accumulate(areas, areas + sheet.vertex_count, 0.0)) / (side - 1);
+    return std::max(hung, std::sqrt(load * (side - 1) / (2 * share * strain * cell)));
+}
+
 int sweeping_substeps(const ClothModel& model, const SimParams& p)
 {
-    const double least = std::max(3.0, 6.4 * std::pow(side_of(model) / 64, 0.7));
     const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
-    const double load = std::max(1.0, std::sqrt((gravity + wind_load(p) / double(p.areal_density)) / 9.81));
-    return static_cast<int>(std::min(std::ceil(least * load), 1000.0));
+    const double load = gravity + wind_load(p) / double(p.areal_density);
+    double rate = 0;
+    for (const Sheet& sheet : model.sheets) rate = std::max(rate, sweeping_rate(model, sheet, load));
+    return static_cast<int>(std::clamp(std::ceil(rate / p.frame_rate), 1.0, 1000.0));
 }
 
 // What automatic substeps of an explicit method allow for: springs stretched however far, a membrane some further than
@@ -51,15 +61,17 @@ double stretch_to_come(const SimParams& params, double stretch)
     return std::numeric_limits<double>::infinity();
 }
 
-int substeps_for(const ClothModel& model, const SimParams& params, double stretch)
+int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams& params, double stretch)
 {
     if (is_explicit(params.method)) {
         const int least = least_stable_substeps(model, params, stretch_to_come(params, stretch));
         return least > 0 ? least : 20;
     }
     if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, params);
-    if (params.method == Method::implicit_euler) return 4;
-    return params.method == Method::sdirk2 ? 2 : 1;
+    if (params.method == Method::reference) return 1;
+    // A body pushes what a substep has moved into it, vertex by vertex: the shorter the substep, the less that stretches.
+    const int rate = bodies.shape_count() > 0 ? 960 : params.method == Method::implicit_euler ? 240 : 120;
+    return (rate - 1) / params.frame_rate + 1;
 }
 
 Method automatic_method(const ClothModel& model, SimParams params, double stretch)
@@ -86,12 +98,12 @@ bool pins_move_apart(const ClothModel& model)
 
 }  // namespace
 
-SimParams resolve_params(const ClothModel& model, const SimParams& asked, double stretch)
+SimParams resolve_params(const ClothModel& model, const Bodies& bodies, const SimParams& asked, double stretch)
 {
     if (face_forces(asked).membrane) membrane_constants(asked);  // Error where they are none
     SimParams params = asked;
     if (asked.method == Method::automatic) params.method = automatic_method(model, asked, stretch);
-    if (asked.substeps == 0) params.substeps = substeps_for(model, params, stretch);
+    if (asked.substeps == 0) params.substeps = substeps_for(model, bodies, params, stretch);
     const bool position_based = params.method == Method::xpbd || params.method == Method::vbd;
     if (asked.tethers == Tethers::automatic)
         params.tethers = position_based && !pins_move_apart(model) ? Tethers::pins : Tethers::none;

@@ -1,6 +1,7 @@
 // What is left to nuno among the parameters: method, substeps and tethers.
 #pragma once
 
+#include "model/body.h"
 #include "model/cloth_model.h"
 #include "model/sim_params.h"
 
@@ -12,7 +13,7 @@ namespace nuno {
 // what the method needs: of an explicit one what is stable with springs stretched however far, and with a membrane
 // stretched by a quarter more than the share `stretch` that its faces are now. Tethers become pins with xpbd and vbd
 // where the pins cannot move apart, else none. What was asked for by name stays, stable or not. Error where the constants of a membrane are none.
-SimParams resolve_params(const ClothModel& model, const SimParams& asked, double stretch = 0);
+SimParams resolve_params(const ClothModel& model, const Bodies& bodies, const SimParams& asked, double stretch = 0);
 
 // Substeps a frame up to which an explicit method is taken rather than xpbd.
 inline constexpr int kMostExplicitSubsteps = 64;

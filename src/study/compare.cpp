@@ -105,7 +105,7 @@ ComparePoint compare_point(const Scene& scene, SimParams params, int size)
     point.size = size;
     if (size > 0) params.resolution = size;
     const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
-    params = resolve_params(model, params);
+    params = resolve_params(model, scene.bodies, params);
     // Left to themselves the backends take their constraints in different orders.
     if (params.method == Method::xpbd && params.sweep == Sweep::automatic) params.sweep = Sweep::coloured;
     params.substeps = std::max(params.substeps, least_stable_substeps(model, params));

@@ -34,7 +34,7 @@ ExtremesTest::~ExtremesTest()
 
 ExtremesTest::Run ExtremesTest::start(const ClothModel& model, const ClothState& state)
 {
-    Run run{resolve_params(model, params_), std::make_unique<ThreadPool>(1), nullptr};
+    Run run{resolve_params(model, {}, params_), std::make_unique<ThreadPool>(1), nullptr};
     run.solver = make_solver(model, kNoBodies, run.params, *run.pool);
     run.solver->upload(state);
     return run;

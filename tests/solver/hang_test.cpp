@@ -39,7 +39,7 @@ Diagnostics after_two_seconds(const ClothModel& model, const SimParams& params)
 void expect_hangs(int count, double converged_j)
 {
     const ClothModel model = hang_model(count);
-    const SimParams params = resolve_params(model, hang_params());
+    const SimParams params = resolve_params(model, {}, hang_params());
     const Diagnostics end = after_two_seconds(model, params);
     const auto what = [&](const char* number) {
         return fmt::format("hang at {} a side, {} with {} substeps: {}", count, name_of(params.method), params.substeps,
@@ -58,7 +58,7 @@ TEST(Hang, a_sheet_of_17_a_side_is_stiff_and_not_frozen)
     SimParams exact = hang_params();
     exact.method = Method::reference;
     const ClothModel model = hang_model(17);
-    expect_hangs(17, after_two_seconds(model, resolve_params(model, exact)).kinetic_j);
+    expect_hangs(17, after_two_seconds(model, resolve_params(model, {}, exact)).kinetic_j);
 }
 
 TEST(Hang, a_sheet_of_64_a_side_is_stiff_and_not_frozen) { expect_hangs(64, kConverged64); }

@@ -122,7 +122,7 @@ TEST(BackendProbe, gives_a_time_for_each_backend)
 {
     const auto context = make_headless_context();
     const ClothModel model = square_cloth(17, 1);
-    const BackendSpeed speed = probe_backends(model, {}, resolve_params(model, {}));
+    const BackendSpeed speed = probe_backends(model, {}, resolve_params(model, {}, {}));
     EXPECT_GT(speed.cpu_ns, 0);
     EXPECT_GT(speed.gpu_ns, 0);
     EXPECT_LT(speed.cpu_ns, 1e6);

@@ -4,7 +4,8 @@
 // Linearised, a substep is x+ = P y with P the projections and y the BDF2 prediction. Each eigenvalue p of P gives
 // ((z - 1) (z - 1/3))^2 = (1 - 1/p) z^4 with p = 1 / (1 + (2 h omega / 3)^2), and |z| <= 1 for every real p in [0, 1]
 // since BDF2 is A-stable. A sweep S and its reverse are P = S^T S, whose eigenvalues are real: no energy is pumped,
-// however stiff the springs. One sweep alone has complex ones, and can.
+// however stiff the springs. One sweep alone has complex ones, and can. S begins with light passes over the seams and the
+// odd columns, which the sweep itself would leave more strained than the rest.
 #pragma once
 
 #include <optional>
