@@ -121,7 +121,9 @@ void Simulation::follow_stretch()
 FrameStats Simulation::advance_frame()
 {
     FrameStats stats;
+    Stopwatch measuring;
     follow_stretch();
+    stats.stage_ms.solve = measuring.lap_ms();
     stats.substeps = params_.substeps;
     const double h = double(substep_s(params_));
     const int passes = pass_count(), substeps = params_.substeps;

@@ -14,7 +14,8 @@ std::string_view method_name(Method method) { return choice_names(method)[static
 std::string advice_when_stretched(const ClothModel& model, const SimParams& params)
 {
     if (!is_explicit(params.method)) return "try more substeps, or less load";
-    if (params.internal_model == InternalModel::continuum) return "--set substeps=0 follows its stretch";
+    if (params.internal_model == InternalModel::continuum)
+        return "try less load, or --set substeps=0, which follows its stretch";
     const int substeps = least_stable_substeps(model, params, std::numeric_limits<double>::infinity());
     if (substeps > params.substeps) return fmt::format("--set substeps={} holds however far it is stretched", substeps);
     return "try more substeps, less load, or --method xpbd";

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "model/face_table.h"
 #include "model/stability.h"
 
 namespace nuno {
 namespace {
+
+// Where no number of substeps holds: a membrane stretched beyond measure, a method without damping.
+constexpr int kMostSubsteps = 10000, kSomeSubsteps = 20;
 
 // How much a membrane may be stretched further within a frame.
 constexpr double kStretchInAFrame = 0.25;
@@ -29,18 +33,20 @@ double wind_load(const SimParams& p)
     return 0.5 * double(p.air_density) * double(p.pressure_coefficient) * speed * speed;
 }
 
-// Substeps a second of xpbd and vbd that keep the strain of a stiff sheet under 3 % (docs/methods.md): of one that hangs
-// by pins, whose tethers carry it, as measured; of one without, the length that soft springs h^2 apart from stiff ones
-// leave, load (N - 1) / (2 c cell) h^2 with c measured.
-double sweeping_rate(const ClothModel& model, const Sheet& sheet, double load)
+// Substeps a second of xpbd and vbd that leave a stiff sheet a strain of 3 % (docs/methods.md): where tethers to pins
+// carry it, as measured; else as soft as springs of m / h^2 let it be, strain = load (N - 1) h^2 / (2 c cell), with c
+// measured.
+double sweeping_rate(const ClothModel& model, const Sheet& sheet, double load, bool tethered)
 {
     constexpr double earth = 9.81, strain = 0.03, share = 0.25;
     const double side = side_of(sheet);
     const double hung = 60 * std::max(3.0, 6.4 * std::pow(side / 64, 0.7)) * std::max(1.0, std::sqrt(load / earth));
     const auto pins = model.pinned.begin() + sheet.first_vertex;
-    if (std::any_of(pins, pins + sheet.vertex_count, [](std::uint8_t pin) { return pin != 0; })) return hung;
+    if (tethered && std::any_of(pins, pins + sheet.vertex_count, [](std::uint8_t pin) { return pin != 0; }))
+        return hung;
     const auto areas = model.areas.begin() + sheet.first_vertex;
-    const double cell = std::sqrt(std::accumulate(areas, areas + sheet.vertex_count, 0.0)) / (side - 1);
+    const double cells = sheet.is_grid() ? double(sheet.columns - 1) * (sheet.rows - 1) : double(sheet.vertex_count);
+    const double cell = std::sqrt(std::accumulate(areas, areas + sheet.vertex_count, 0.0) / cells);
     return std::max(hung, std::sqrt(load * (side - 1) / (2 * share * strain * cell)));
 }
 
@@ -49,7 +55,8 @@ int sweeping_substeps(const ClothModel& model, const SimParams& p)
     const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
     const double load = gravity + wind_load(p) / double(p.areal_density);
     double rate = 0;
-    for (const Sheet& sheet : model.sheets) rate = std::max(rate, sweeping_rate(model, sheet, load));
+    for (const Sheet& sheet : model.sheets)
+        rate = std::max(rate, sweeping_rate(model, sheet, load, p.tethers != Tethers::none));
     return static_cast<int>(std::clamp(std::ceil(rate / p.frame_rate), 1.0, 1000.0));
 }
 
@@ -65,7 +72,8 @@ int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams&
 {
     if (is_explicit(params.method)) {
         const int least = least_stable_substeps(model, params, stretch_to_come(params, stretch));
-        return least > 0 ? least : 20;
+        if (least > 0) return least;
+        return params.internal_model == InternalModel::continuum ? kMostSubsteps : kSomeSubsteps;
     }
     if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, params);
     if (params.method == Method::reference) return 1;
@@ -86,14 +94,31 @@ Method automatic_method(const ClothModel& model, SimParams params, double stretc
     return least > 0 && least <= most ? params.method : Method::xpbd;
 }
 
-// Pins that move apart may be further from each other than the cloth reaches, which tethers would not yield to.
-bool pins_move_apart(const ClothModel& model)
+// Pins of a sheet that move apart may be further from each other than the cloth reaches, which tethers would not yield
+// to.
+bool pins_move_apart(const ClothModel& model, const Bodies& bodies, const Sheet& sheet)
 {
-    const auto pins = std::size_t(std::count(model.pinned.begin(), model.pinned.end(), true));
-    const bool fixed = pins > model.handle_pins.size();
-    const auto other = [&](const HandlePin& pin) { return pin.handle != model.handle_pins.front().handle; };
-    return !model.handle_pins.empty() &&
-           (fixed || std::any_of(model.handle_pins.begin(), model.handle_pins.end(), other));
+    constexpr std::uint32_t in_place = ~0u;
+    std::optional<std::uint32_t> first;
+    const auto is_other = [&](std::uint32_t carrier) {
+        if (!first) first = carrier;
+        return carrier != *first;
+    };
+    for (std::uint32_t v = sheet.first_vertex; v < sheet.first_vertex + sheet.vertex_count; ++v) {
+        if (!model.pinned[v]) continue;
+        const auto pin = std::find_if(model.handle_pins.begin(), model.handle_pins.end(),
+                                      [&](const HandlePin& p) { return p.vertex == v; });
+        const bool moves = pin != model.handle_pins.end() && bodies.handles[pin->handle].motion.moves();
+        if (is_other(moves ? pin->handle : in_place)) return true;
+    }
+    return false;
+}
+
+bool pins_move_apart(const ClothModel& model, const Bodies& bodies)
+{
+    return !model.handle_pins.empty() && std::any_of(model.sheets.begin(), model.sheets.end(), [&](const Sheet& sheet) {
+        return pins_move_apart(model, bodies, sheet);
+    });
 }
 
 }  // namespace
@@ -103,10 +128,10 @@ SimParams resolve_params(const ClothModel& model, const Bodies& bodies, const Si
     if (face_forces(asked).membrane) membrane_constants(asked);  // Error where they are none
     SimParams params = asked;
     if (asked.method == Method::automatic) params.method = automatic_method(model, asked, stretch);
-    if (asked.substeps == 0) params.substeps = substeps_for(model, bodies, params, stretch);
     const bool position_based = params.method == Method::xpbd || params.method == Method::vbd;
     if (asked.tethers == Tethers::automatic)
-        params.tethers = position_based && !pins_move_apart(model) ? Tethers::pins : Tethers::none;
+        params.tethers = position_based && !pins_move_apart(model, bodies) ? Tethers::pins : Tethers::none;
+    if (asked.substeps == 0) params.substeps = substeps_for(model, bodies, params, stretch);
     return params;
 }
 
