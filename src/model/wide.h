@@ -9,22 +9,16 @@
 // Wide values cross no call between instruction sets, so the note on their calling convention does not apply.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-// NUNO_SIMD_CLONES: one clone per instruction set, chosen when the program starts. Sanitizers cannot run the chooser and
-// take minutes over a kernel that is inlined whole; clang 14 lacks the names.
-// NUNO_WIDE_LAMBDA, after the parameters of a lambda in a kernel: by itself it would be compiled for no instruction set
-// but the default.
-#if defined(NUNO_SANITIZED)
-#define NUNO_WIDE_INLINE inline
-#define NUNO_WIDE_LAMBDA
-#define NUNO_SIMD_CLONES
-#else
 #define NUNO_WIDE_INLINE inline __attribute__((always_inline))
+// After the parameters of a lambda in a kernel: by itself it would be compiled for no instruction set but the default.
 #define NUNO_WIDE_LAMBDA __attribute__((always_inline))
-#if defined(__clang__)
+
+// One clone per instruction set, chosen when the program starts. Sanitizers cannot run the chooser, clang 14 lacks the
+// names.
+#if defined(NUNO_SANITIZED) || defined(__clang__)
 #define NUNO_SIMD_CLONES
 #else
 #define NUNO_SIMD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#endif
 #endif
 
 namespace nuno {

@@ -3,6 +3,14 @@
 
 #include "solver/xpbd/strip_lanes.h"
 
+// Inlined whole, these kernels take the sanitizers' compilers minutes; there they have one instruction set, and may call.
+#ifdef NUNO_SANITIZED
+#undef NUNO_WIDE_INLINE
+#undef NUNO_WIDE_LAMBDA
+#define NUNO_WIDE_INLINE inline
+#define NUNO_WIDE_LAMBDA
+#endif
+
 namespace nuno {
 namespace {
 
