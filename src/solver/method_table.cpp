@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <vector>
 
@@ -73,19 +74,35 @@ void check(const MethodInfo* info, const SimParams& params)
     if (!info || !here(*info))
         throw Error(fmt::format("method: {} does not run on {}; choose {}", method,
                                 choice_names(Backend{})[std::size_t(params.backend)], choices(here)));
-    if (params.internal_model == InternalModel::continuum && !info->takes_continuum)
-        throw Error(
-            fmt::format("internal_model: {} has no continuum; choose internal_model fabric_springs or springs, "
-                        "or method {}",
-                        method, choices([&](const MethodInfo& m) { return here(m) && m.takes_continuum; })));
-    if (params.stiffness_damping > 0 && !info->takes_dampers)
-        throw Error(fmt::format("stiffness_damping: {} has none; choose 0, or method {}", method,
-                                choices([&](const MethodInfo& m) { return here(m) && m.takes_dampers; })));
+    const bool continuum = params.internal_model == InternalModel::continuum, damped = params.stiffness_damping > 0;
     const bool tethered = params.tethers != Tethers::none && params.tethers != Tethers::automatic;
-    if ((tethered || params.strain_limit > 0) && !info->takes_tethers)
-        throw Error(fmt::format("{}: {} has none; choose {}, or method {}", tethered ? "tethers" : "strain_limit",
-                                method, tethered ? "none" : "0",
-                                choices([&](const MethodInfo& m) { return here(m) && m.takes_tethers; })));
+    const bool bounded = tethered || params.strain_limit > 0;
+    const std::string others = choices([&](const MethodInfo& m) {
+        return here(m) && (m.takes_continuum || !continuum) && (m.takes_dampers || !damped) &&
+               (m.takes_tethers || !bounded);
+    });
+    const std::string or_method = others.empty() ? "" : ", or method " + others;
+    if (continuum && !info->takes_continuum)
+        throw Error(
+            fmt::format("internal_model: {} has no continuum; choose internal_model fabric_springs or springs{}",
+                        method, or_method));
+    if (damped && !info->takes_dampers)
+        throw Error(fmt::format("stiffness_damping: {} has none; choose 0{}", method, or_method));
+    if (bounded && !info->takes_tethers)
+        throw Error(fmt::format("{}: {} has none; choose {}{}", tethered ? "tethers" : "strain_limit", method,
+                                tethered ? "none" : "0", or_method));
+}
+
+// Cloth would be tied to where a body was.
+void check_contacts(const Bodies& bodies, const SimParams& params)
+{
+    const auto moves = [](const auto& shapes) {
+        return std::any_of(shapes.begin(), shapes.end(), [](const auto& shape) { return shape.motion.moves(); });
+    };
+    if (params.tethers == Tethers::contacts && (moves(bodies.planes) || moves(bodies.spheres) ||
+                                                moves(bodies.capsules) || moves(bodies.boxes) || moves(bodies.meshes)))
+        throw Error(
+            "tethers: contacts needs bodies that stand still; choose pins or none, or take their keyframes away");
 }
 
 // What only some orders of xpbd's constraints have.
@@ -126,6 +143,7 @@ std::unique_ptr<ClothSolver> make_solver(const ClothModel& model, const Bodies& 
     const MethodInfo* info = find(params.method);
     check(info, params);
     check_sweep(params);
+    check_contacts(bodies, params);
     const MethodInfo::Make make = params.backend == Backend::cpu ? info->make_cpu : info->make_gpu;
     return make({model, bodies, params, pool});
 }

@@ -62,6 +62,14 @@ void CpuSolver::run_team(const std::function<void(const Team&)>& body)
     nuno::run_team(pool_, team_size(pool_, vertex_count_), body);
 }
 
+void CpuSolver::run_substeps(int count, const std::function<void(int, const Team&)>& body)
+{
+    run_team([&](const Team& team) {
+        for (int k = 0; k < count; ++k) body(k, team);
+    });
+    current_ = (current_ + count) % 2;
+}
+
 void CpuSolver::download_positions(std::span<glm::vec4> positions)
 {
     for (std::uint32_t i = 0; i < vertex_count_; ++i)

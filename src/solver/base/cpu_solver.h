@@ -33,6 +33,8 @@ class CpuSolver : public ClothSolver
     StateLanes state(int side);
     // Calls body on each thread of a team.
     void run_team(const std::function<void(const Team& team)>& body);
+    // The same for `count` substeps, one after another, each of which goes from one side of the state to the other.
+    void run_substeps(int count, const std::function<void(int substep, const Team& team)>& body);
     // Blocks of kLanes vertices.
     int block_count() const { return static_cast<int>((place_count_ + kLanes - 1) / kLanes); }
 

@@ -46,10 +46,7 @@ void CpuEuler::step(const StepInput& input)
 {
     forces_.refresh(input.params);
     bodies_.plan(input);
-    run_team([&](const Team& team) {
-        for (int k = 0; k < input.substep_count; ++k) run_substep(input, k, team);
-    });
-    current_ = (current_ + input.substep_count) % 2;
+    run_substeps(input.substep_count, [&](int k, const Team& team) { run_substep(input, k, team); });
 }
 
 void CpuEuler::run_substep(const StepInput& input, int k, const Team& team)

@@ -169,10 +169,7 @@ void CpuJacobi::step(const StepInput& input)
     if (input.substep_count <= 0) return;
     refresh(input.params);
     bodies_.plan(input);
-    run_team([&](const Team& team) {
-        for (int k = 0; k < input.substep_count; ++k) run_substep(substep_at(input, k), k, team);
-    });
-    current_ = (current_ + input.substep_count) % 2;
+    run_substeps(input.substep_count, [&](int k, const Team& team) { run_substep(substep_at(input, k), k, team); });
 }
 
 CpuJacobi::Substep CpuJacobi::substep_at(const StepInput& input, int k)
