@@ -2,7 +2,7 @@
 // belong to kernels that never run together: each method binds its own before it runs them.
 #define GROUP_SIZE 64
 
-// Of every method.
+// Of kernels that several methods run.
 #define UNIT_POSITIONS 0
 #define UNIT_VELOCITIES 1
 #define UNIT_NEIGHBOURS 2
@@ -23,7 +23,7 @@
 #define BLOCK_PARAMS 0  // a uniform block; the others are storage blocks
 #define BLOCK_POSITIONS 0
 #define BLOCK_VELOCITIES 1
-#define BLOCK_FIRST_BAD 2
+#define BLOCK_FIRST_LOST 2
 #define BLOCK_FACE_FORCES 5
 
 #define LOCATION_SUBSTEP 0

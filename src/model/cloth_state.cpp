@@ -1,7 +1,6 @@
 // Start of a cloth, and checks of its state.
 #include "model/cloth_state.h"
 
-#include <bit>
 #include <random>
 
 #include "core/hash.h"
@@ -42,12 +41,10 @@ std::uint64_t state_hash(const ClothState& state)
     return hash.value();
 }
 
-std::optional<std::uint32_t> first_not_finite(std::span<const glm::vec4> values)
+std::optional<std::uint32_t> first_lost(std::span<const glm::vec4> values)
 {
-    constexpr std::uint32_t exponent = 0x7f800000u;
-    const auto bad = [](float a) { return (std::bit_cast<std::uint32_t>(a) & exponent) == exponent; };
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (bad(values[i].x) || bad(values[i].y) || bad(values[i].z)) return static_cast<std::uint32_t>(i);
+        if (is_lost(values[i].x) || is_lost(values[i].y) || is_lost(values[i].z)) return static_cast<std::uint32_t>(i);
     return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // What changes while a cloth moves.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,7 +29,11 @@ float inverse_mass(const ClothModel& model, std::uint32_t vertex, float areal_de
 // 64-bit hash of the bits of all positions and velocities (xyz), in vertex order.
 std::uint64_t state_hash(const ClothState& state);
 
-// The first vertex with a coordinate that is infinite or no number, in position or velocity.
-std::optional<std::uint32_t> first_not_finite(std::span<const glm::vec4> values);
+// Whether a coordinate of a position [m] or a velocity [m/s] is beyond any cloth: 1e6 or more, where single precision
+// tells centimetres apart no more, infinite, or no number (shaders/sim/lost.comp).
+inline bool is_lost(float a) { return !(std::abs(a) < 1e6f); }
+
+// The first of these with such a coordinate.
+std::optional<std::uint32_t> first_lost(std::span<const glm::vec4> values);
 
 }  // namespace nuno

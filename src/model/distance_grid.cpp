@@ -131,8 +131,9 @@ void check_closed(const TriangleMesh& mesh, std::string_view where)
             const Edge edge = edge_of(face, k);
             const std::string fault = edge_fault(counts, edge);
             if (!fault.empty())
-                throw Error(fmt::format("{}: a body must be a closed mesh, but the edge from vertex {} to vertex {} {}",
-                                        where, edge.first, edge.second, fault));
+                throw Error(fmt::format(
+                    "{}: a body must be a closed mesh, but the edge from vertex {} to vertex {} (counted from 0) {}",
+                    where, edge.first, edge.second, fault));
         }
     if (!(volume_of(mesh) > 0))
         throw Error(

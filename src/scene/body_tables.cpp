@@ -17,7 +17,7 @@ namespace {
 float positive_length(TomlTable& table, std::string_view key, double fallback)
 {
     const double metres = table.number(key, fallback);
-    if (!(metres > 0) || !(metres < 1e6)) table.fail(key, "a number of metres above 0");
+    if (!(metres > 0) || !(metres < 1e6)) table.fail(key, "a number of metres above 0 and below 1e6");
     return static_cast<float>(metres);
 }
 
@@ -169,10 +169,12 @@ MeshBody read_body_mesh(TomlTable table, const std::string& file_name, const std
     const float cell = table.has("cell") ? positive_length(table, "cell", 0) : (table.number("cell", 0), 0.0f);
     body.motion = read_motion(table, file_name);
     table.finish();
+    const std::string where = table.where("mesh");
     const std::filesystem::path path = (scene_path.parent_path() / mesh).lexically_normal();
     body.mesh = load_obj(path);
     for (glm::vec3& p : body.mesh.positions) p *= scale;
-    body.grid = std::make_shared<DistanceGrid>(make_distance_grid(body.mesh, cell, path.string()));
+    body.grid = std::make_shared<DistanceGrid>(
+        make_distance_grid(body.mesh, cell, fmt::format("{}: {}", where, path.string())));
     return body;
 }
 

@@ -140,7 +140,7 @@ FrameStats Simulation::advance_frame()
             positions_fresh_ = true;
             stats.stage_ms.readback += watch.lap_ms();
         }
-        check_finite(on_host ? first_not_finite(state_.positions) : solver_->first_not_finite(), first, last);
+        check_not_lost(on_host ? first_lost(state_.positions) : solver_->first_lost(), first, last);
         if (on_host) collide(stats, static_cast<float>((last - first) * h));
     }
     stats.frame = ++frame_;
@@ -268,7 +268,7 @@ void Simulation::move_held_vertex(float duration_s)
 std::optional<PresentStability> Simulation::stability()
 {
     const ClothState& now = state();
-    if (first_not_finite(now.positions) || first_not_finite(now.velocities)) return std::nullopt;
+    if (first_lost(now.positions) || first_lost(now.velocities)) return std::nullopt;
     return present_stability(*model_, params_, now, stiffest_mode_);
 }
 
@@ -280,12 +280,13 @@ std::optional<std::string> Simulation::present_warning()
     return now ? nuno::present_warning(*model_, params_, *now) : std::nullopt;
 }
 
-void Simulation::check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const
+void Simulation::check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const
 {
-    if (!bad) return;
-    throw Error(fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite; {}", scene_.name,
-                            frame_ + 1, first_substep + 1, last_substep, *bad, advice_after_blow_up(*model_, params_)),
-                ExitCode::went_bad);
+    if (!vertex) return;
+    throw Error(
+        fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite, or 1000 km away; {}", scene_.name,
+                    frame_ + 1, first_substep + 1, last_substep, *vertex, advice_after_blow_up(*model_, params_)),
+        ExitCode::went_bad);
 }
 
 }  // namespace nuno

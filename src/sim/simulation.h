@@ -40,7 +40,7 @@ class Simulation
     void restart();
 
     // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps,
-    // vertex and a setting that would hold, where a number is no longer finite.
+    // vertex and a setting that would hold, where a vertex is lost.
     FrameStats advance_frame();
     // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot
     // keep up slows the cloth down. The statistics are those of the frames that ran.
@@ -58,7 +58,7 @@ class Simulation
     void release_vertex();
 
     // How stable the parameters are where the cloth is now; the frequency is found anew each time, from where it was
-    // found last. Nothing where a number is no longer finite.
+    // found last. Nothing where a vertex is lost.
     std::optional<PresentStability> stability();
     // As in sim/stability_advice.h; the second looks at the cloth where it is now.
     std::optional<std::string> stability_warning() const;
@@ -72,7 +72,7 @@ class Simulation
     void move_held_vertex(float duration_s);
     std::vector<Tether> reach_of(std::uint32_t vertex) const;
     void collide(FrameStats& stats, float interval_s);
-    void check_finite(std::optional<std::uint32_t> bad, int first_substep, int last_substep) const;
+    void check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const;
     int pass_count() const;
 
     struct Held

@@ -16,6 +16,9 @@ namespace {
 // Where no number of substeps holds: a membrane stretched beyond measure, a method without damping.
 constexpr int kMostSubsteps = 10000, kSomeSubsteps = 20;
 
+// Between pins that move apart threads are pulled by more than their weight: how many times the substeps that halves it.
+constexpr double kPulled = 2;
+
 // How much a membrane may be stretched further within a frame.
 constexpr double kStretchInAFrame = 0.25;
 
@@ -31,67 +34,6 @@ double wind_load(const SimParams& p)
     if (p.wind_model == WindModel::sines) return std::abs(double(p.wind_mean)) + double(p.wind_strength);
     const double speed = std::hypot(double(p.wind_x), double(p.wind_y), double(p.wind_z)) + double(p.gust_speed);
     return 0.5 * double(p.air_density) * double(p.pressure_coefficient) * speed * speed;
-}
-
-// Substeps a second of xpbd and vbd that leave a stiff sheet a strain of 3 % (docs/methods.md): where tethers to pins
-// carry it, as measured; else as soft as springs of m / h^2 let it be, strain = load (N - 1) h^2 / (2 c cell), with c
-// measured.
-double sweeping_rate(const ClothModel& model, const Sheet& sheet, double load, bool tethered)
-{
-    constexpr double earth = 9.81, strain = 0.03, share = 0.25;
-    const double side = side_of(sheet);
-    const double hung = 60 * std::max(3.0, 6.4 * std::pow(side / 64, 0.7)) * std::max(1.0, std::sqrt(load / earth));
-    const auto pins = model.pinned.begin() + sheet.first_vertex;
-    if (tethered && std::any_of(pins, pins + sheet.vertex_count, [](std::uint8_t pin) { return pin != 0; }))
-        return hung;
-    const auto areas = model.areas.begin() + sheet.first_vertex;
-    const double cells = sheet.is_grid() ? double(sheet.columns - 1) * (sheet.rows - 1) : double(sheet.vertex_count);
-    const double cell = std::sqrt(std::accumulate(areas, areas + sheet.vertex_count, 0.0) / cells);
-    return std::max(hung, std::sqrt(load * (side - 1) / (2 * share * strain * cell)));
-}
-
-int sweeping_substeps(const ClothModel& model, const SimParams& p)
-{
-    const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
-    const double load = gravity + wind_load(p) / double(p.areal_density);
-    double rate = 0;
-    for (const Sheet& sheet : model.sheets)
-        rate = std::max(rate, sweeping_rate(model, sheet, load, p.tethers != Tethers::none));
-    return static_cast<int>(std::clamp(std::ceil(rate / p.frame_rate), 1.0, 1000.0));
-}
-
-// What automatic substeps of an explicit method allow for: springs stretched however far, a membrane some further than
-// it is now.
-double stretch_to_come(const SimParams& params, double stretch)
-{
-    if (params.internal_model == InternalModel::continuum) return stretch + kStretchInAFrame;
-    return std::numeric_limits<double>::infinity();
-}
-
-int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams& params, double stretch)
-{
-    if (is_explicit(params.method)) {
-        const int least = least_stable_substeps(model, params, stretch_to_come(params, stretch));
-        if (least > 0) return least;
-        return params.internal_model == InternalModel::continuum ? kMostSubsteps : kSomeSubsteps;
-    }
-    if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, params);
-    if (params.method == Method::reference) return 1;
-    // A body pushes what a substep has moved into it, vertex by vertex: the shorter the substep, the less that stretches.
-    const int rate = bodies.shape_count() > 0 ? 960 : params.method == Method::implicit_euler ? 240 : 120;
-    return (rate - 1) / params.frame_rate + 1;
-}
-
-Method automatic_method(const ClothModel& model, SimParams params, double stretch)
-{
-    params.method = Method::symplectic_euler;
-    if (params.internal_model == InternalModel::continuum || params.stiffness_damping > 0) return params.method;
-    if (params.strain_limit > 0 || params.tethers == Tethers::pins || params.tethers == Tethers::contacts)
-        return Method::xpbd;
-    const int least = params.substeps > 0 ? least_stable_substeps(model, params)
-                                          : least_stable_substeps(model, params, stretch_to_come(params, stretch));
-    const int most = params.substeps > 0 ? params.substeps : kMostExplicitSubsteps;
-    return least > 0 && least <= most ? params.method : Method::xpbd;
 }
 
 // Pins of a sheet that move apart may be further from each other than the cloth reaches, which tethers would not yield
@@ -119,6 +61,68 @@ bool pins_move_apart(const ClothModel& model, const Bodies& bodies)
     return !model.handle_pins.empty() && std::any_of(model.sheets.begin(), model.sheets.end(), [&](const Sheet& sheet) {
         return pins_move_apart(model, bodies, sheet);
     });
+}
+
+// Substeps a second of xpbd and vbd that leave a stiff sheet a strain of 3 % (docs/methods.md): where tethers to pins
+// carry it, as measured; else as soft as springs of m / h^2 let it be, strain = load (N - 1) h^2 / (2 c cell), with c
+// measured.
+double sweeping_rate(const ClothModel& model, const Sheet& sheet, double load, bool tethered)
+{
+    constexpr double earth = 9.81, strain = 0.03, share = 0.25;
+    const double side = side_of(sheet);
+    const double hung = 60 * std::max(3.0, 6.4 * std::pow(side / 64, 0.7)) * std::max(1.0, std::sqrt(load / earth));
+    const auto pins = model.pinned.begin() + sheet.first_vertex;
+    if (tethered && std::any_of(pins, pins + sheet.vertex_count, [](std::uint8_t pin) { return pin != 0; }))
+        return hung;
+    const auto areas = model.areas.begin() + sheet.first_vertex;
+    const double cells = sheet.is_grid() ? double(sheet.columns - 1) * (sheet.rows - 1) : double(sheet.vertex_count);
+    const double cell = std::sqrt(std::accumulate(areas, areas + sheet.vertex_count, 0.0) / cells);
+    return std::max(hung, std::sqrt(load * (side - 1) / (2 * share * strain * cell)));
+}
+
+int sweeping_substeps(const ClothModel& model, const Bodies& bodies, const SimParams& p)
+{
+    const double gravity = std::hypot(double(p.gravity_x), double(p.gravity_y), double(p.gravity_z));
+    const double load = gravity + wind_load(p) / double(p.areal_density);
+    double rate = 0;
+    for (const Sheet& sheet : model.sheets)
+        rate = std::max(rate, sweeping_rate(model, sheet, load, p.tethers != Tethers::none));
+    if (pins_move_apart(model, bodies)) rate *= kPulled;
+    return static_cast<int>(std::clamp(std::ceil(rate / p.frame_rate), 1.0, 1000.0));
+}
+
+// What automatic substeps of an explicit method allow for: springs stretched however far, a membrane some further than
+// it is now.
+double stretch_to_come(const SimParams& params, double stretch)
+{
+    if (params.internal_model == InternalModel::continuum) return stretch + kStretchInAFrame;
+    return std::numeric_limits<double>::infinity();
+}
+
+int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams& params, double stretch)
+{
+    if (is_explicit(params.method)) {
+        const int least = least_stable_substeps(model, params, stretch_to_come(params, stretch));
+        if (least > 0) return least;
+        return params.internal_model == InternalModel::continuum ? kMostSubsteps : kSomeSubsteps;
+    }
+    if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, bodies, params);
+    if (params.method == Method::reference) return 1;
+    // A body pushes what a substep has moved into it, vertex by vertex: the shorter the substep, the less that stretches.
+    const int rate = bodies.shape_count() > 0 ? 960 : params.method == Method::implicit_euler ? 240 : 120;
+    return (rate - 1) / params.frame_rate + 1;
+}
+
+Method automatic_method(const ClothModel& model, SimParams params, double stretch)
+{
+    params.method = Method::symplectic_euler;
+    if (params.internal_model == InternalModel::continuum || params.stiffness_damping > 0) return params.method;
+    if (params.strain_limit > 0 || params.tethers == Tethers::pins || params.tethers == Tethers::contacts)
+        return Method::xpbd;
+    const int least = params.substeps > 0 ? least_stable_substeps(model, params)
+                                          : least_stable_substeps(model, params, stretch_to_come(params, stretch));
+    const int most = params.substeps > 0 ? params.substeps : kMostExplicitSubsteps;
+    return least > 0 && least <= most ? params.method : Method::xpbd;
 }
 
 }  // namespace

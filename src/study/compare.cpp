@@ -68,7 +68,7 @@ void time_frames(const Scene& scene, const SimParams& params, ComparePoint& poin
 
 double largest_difference(const ClothState& a, const ClothState& b)
 {
-    if (first_not_finite(a.positions) || first_not_finite(b.positions)) return -1;
+    if (first_lost(a.positions) || first_lost(b.positions)) return -1;
     double largest = 0;
     for (std::size_t v = 0; v < a.positions.size(); ++v)
         largest = std::max(largest, glm::distance(glm::dvec3(a.positions[v]), glm::dvec3(b.positions[v])));

@@ -92,13 +92,15 @@ TEST(ClothState, the_seed_shifts_free_vertices_by_no_more_than_the_jitter)
         }
 }
 
-TEST(ClothState, the_first_number_that_is_not_finite_is_found)
+TEST(ClothState, the_first_vertex_that_is_lost_is_found)
 {
-    std::vector<glm::vec4> values(10, glm::vec4(1));
-    EXPECT_EQ(first_not_finite(values), std::nullopt);
+    std::vector<glm::vec4> values(10, glm::vec4(-999'999.0f));
+    EXPECT_EQ(first_lost(values), std::nullopt);
     values[7].z = std::numeric_limits<float>::infinity();
     values[8].x = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(first_not_finite(values), 7u);
+    EXPECT_EQ(first_lost(values), 7u);
+    values[5].y = -1e6f;
+    EXPECT_EQ(first_lost(values), 5u);
 }
 
 }  // namespace

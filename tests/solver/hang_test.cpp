@@ -50,7 +50,7 @@ void expect_hangs(int count, double converged_j)
 }
 
 // Converged, to the tolerance of `reference`: half a second to find at 17 a side, minutes at 128, which took it once.
-// At 256 it would take an hour, so that is held to the energy at 128; from 17 to 128 it grows by 2 %.
+// At 256 it would take hours, so that is held to the energy at 128; from 17 to 128 it grows by 2 %.
 constexpr double kConverged64 = 0.02170, kConverged128 = 0.02211;
 
 TEST(Hang, a_sheet_of_17_a_side_is_stiff_and_not_frozen)

@@ -40,8 +40,8 @@ class ClothSolver
 
     virtual void download_positions(std::span<glm::vec4> positions) = 0;
     virtual void download_velocities(std::span<glm::vec4> velocities) = 0;
-    // The first vertex whose position or velocity is not finite.
-    virtual std::optional<std::uint32_t> first_not_finite() = 0;
+    // The first vertex whose position or velocity is lost (model/cloth_state.h).
+    virtual std::optional<std::uint32_t> first_lost() = 0;
 
     // OpenGL name of the buffer that holds the positions now (vec4 each); 0 where they are not on the device.
     virtual std::uint32_t position_buffer() const = 0;

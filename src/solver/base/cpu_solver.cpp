@@ -1,7 +1,6 @@
 // The state in lanes, and its way in and out.
 #include "solver/base/cpu_solver.h"
 
-#include <bit>
 #include <utility>
 
 namespace nuno {
@@ -82,14 +81,13 @@ void CpuSolver::download_velocities(std::span<glm::vec4> velocities)
         velocities[i] = velocities_[current_].at(place(i), area_.first()[place(i)]);
 }
 
-std::optional<std::uint32_t> CpuSolver::first_not_finite()
+std::optional<std::uint32_t> CpuSolver::first_lost()
 {
-    constexpr std::uint32_t exponent = 0x7f800000u;
     const Lanes3 x = positions_[current_].lanes(), v = velocities_[current_].lanes();
     for (std::uint32_t vertex = 0; vertex < vertex_count_; ++vertex) {
         const std::uint32_t i = place(vertex);
         for (const float a : {x.x[i], x.y[i], x.z[i], v.x[i], v.y[i], v.z[i]})
-            if ((std::bit_cast<std::uint32_t>(a) & exponent) == exponent) return vertex;
+            if (is_lost(a)) return vertex;
     }
     return std::nullopt;
 }

@@ -25,7 +25,7 @@ class CpuSolver : public ClothSolver
     void finish() override {}
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
-    std::optional<std::uint32_t> first_not_finite() override;
+    std::optional<std::uint32_t> first_lost() override;
     std::uint32_t position_buffer() const override { return 0; }
 
   protected:

@@ -13,9 +13,9 @@ GpuSolver::GpuSolver(const ClothModel& model)
     : vertex_count_(model.vertex_count()),
       positions_{VertexBuffer(vertex_count_), VertexBuffer(vertex_count_)},
       velocities_{VertexBuffer(vertex_count_), VertexBuffer(vertex_count_)},
-      finite_(compute_program("sim/finite.comp")),
+      lost_(compute_program("sim/lost.comp")),
       params_((sizeof(SimParams) + 15) / 16 * 16, nullptr, GL_DYNAMIC_DRAW),
-      first_bad_(sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ)
+      first_lost_(sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ)
 {
 }
 
@@ -70,19 +70,19 @@ void GpuSolver::download_velocities(std::span<glm::vec4> velocities)
     readback_.finish(velocities);
 }
 
-std::optional<std::uint32_t> GpuSolver::first_not_finite()
+std::optional<std::uint32_t> GpuSolver::first_lost()
 {
     const std::uint32_t none = ~0u;
     std::uint32_t first = none;
     barrier_compute_to_upload();
-    first_bad_.update(0, std::as_bytes(std::span(&none, 1)));
-    finite_.use();
-    finite_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(vertex_count_));
+    first_lost_.update(0, std::as_bytes(std::span(&none, 1)));
+    lost_.use();
+    lost_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(vertex_count_));
     positions_[current_].texture.bind(UNIT_POSITIONS);
     velocities_[current_].texture.bind(UNIT_VELOCITIES);
-    first_bad_.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_FIRST_BAD);
+    first_lost_.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_FIRST_LOST);
     dispatch();
-    readback_.begin(first_bad_.id(), sizeof first);
+    readback_.begin(first_lost_.id(), sizeof first);
     readback_.finish(std::span(&first, 1));
     return first == none ? std::nullopt : std::optional(first);
 }

@@ -23,7 +23,7 @@ class GpuSolver : public ClothSolver
     void finish() override;
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
-    std::optional<std::uint32_t> first_not_finite() override;
+    std::optional<std::uint32_t> first_lost() override;
     std::uint32_t position_buffer() const override { return positions_[current_].buffer.id(); }
 
   protected:
@@ -39,8 +39,8 @@ class GpuSolver : public ClothSolver
     int current_ = 0;
 
   private:
-    Program finite_;
-    Buffer params_, first_bad_;
+    Program lost_;
+    Buffer params_, first_lost_;
     Readback readback_;
 };
 

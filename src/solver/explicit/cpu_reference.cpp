@@ -174,11 +174,11 @@ void CpuReference::download_velocities(std::span<glm::vec4> velocities)
     for (std::uint32_t i = 0; i < model_.vertex_count(); ++i) velocities[i] = glm::vec4(glm::vec3(now_.v[i]), area_[i]);
 }
 
-std::optional<std::uint32_t> CpuReference::first_not_finite()
+std::optional<std::uint32_t> CpuReference::first_lost()
 {
     for (std::uint32_t i = 0; i < model_.vertex_count(); ++i)
         for (int k = 0; k < 3; ++k)
-            if (!(std::abs(now_.x[i][k]) < 1e38) || !(std::abs(now_.v[i][k]) < 1e38)) return i;
+            if (is_lost(static_cast<float>(now_.x[i][k])) || is_lost(static_cast<float>(now_.v[i][k]))) return i;
     return std::nullopt;
 }
 

@@ -216,13 +216,13 @@ void CpuImplicit::download_velocities(std::span<glm::vec4> velocities)
         velocities[v] = glm::vec4(at(places_[v].sheet->motion().v, places_[v].at), area_[v]);
 }
 
-std::optional<std::uint32_t> CpuImplicit::first_not_finite()
+std::optional<std::uint32_t> CpuImplicit::first_lost()
 {
     for (std::uint32_t v = 0; v < model_.vertex_count(); ++v) {
         const SheetMotion& m = places_[v].sheet->motion();
         const glm::vec3 x = at(m.x, places_[v].at), u = at(m.v, places_[v].at);
         for (const float a : {x.x, x.y, x.z, u.x, u.y, u.z})
-            if (!std::isfinite(a)) return v;
+            if (is_lost(a)) return v;
     }
     return std::nullopt;
 }

@@ -110,12 +110,12 @@ void CpuXpbd::download_velocities(std::span<glm::vec4> velocities)
     for (const auto& part : parts_) part->download_velocities(velocities);
 }
 
-std::optional<std::uint32_t> CpuXpbd::first_not_finite()
+std::optional<std::uint32_t> CpuXpbd::first_lost()
 {
     download_positions(positions_);
-    const std::optional<std::uint32_t> bad = nuno::first_not_finite(positions_);
+    const std::optional<std::uint32_t> bad = nuno::first_lost(positions_);
     download_velocities(positions_);
-    const std::optional<std::uint32_t> bad_velocity = nuno::first_not_finite(positions_);
+    const std::optional<std::uint32_t> bad_velocity = nuno::first_lost(positions_);
     if (bad && bad_velocity) return std::min(*bad, *bad_velocity);
     return bad ? bad : bad_velocity;
 }
