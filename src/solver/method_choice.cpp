@@ -99,6 +99,17 @@ double stretch_to_come(const SimParams& params, double stretch)
     return std::numeric_limits<double>::infinity();
 }
 
+// Substeps of the implicit methods. A body pushes out what a substep has moved into it, vertex by vertex, and strains
+// the springs to the others: over the edge of a box stiff cloth took up energy at omega h = 11, and none at 7.
+int implicit_substeps(const ClothModel& model, const Bodies& bodies, const SimParams& params)
+{
+    constexpr double most_omega_h = 6;
+    const bool touches = bodies.shape_count() > 0;
+    double rate = touches ? 960 : params.method == Method::implicit_euler ? 240 : 120;
+    if (touches) rate = std::max(rate, omega_max_bound(model, params) / most_omega_h);
+    return static_cast<int>(std::clamp(std::ceil(rate / params.frame_rate), 1.0, 1000.0));
+}
+
 int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams& params, double stretch)
 {
     if (is_explicit(params.method)) {
@@ -108,9 +119,7 @@ int substeps_for(const ClothModel& model, const Bodies& bodies, const SimParams&
     }
     if (params.method == Method::xpbd || params.method == Method::vbd) return sweeping_substeps(model, bodies, params);
     if (params.method == Method::reference) return 1;
-    // A body pushes what a substep has moved into it, vertex by vertex: the shorter the substep, the less that stretches.
-    const int rate = bodies.shape_count() > 0 ? 960 : params.method == Method::implicit_euler ? 240 : 120;
-    return (rate - 1) / params.frame_rate + 1;
+    return implicit_substeps(model, bodies, params);
 }
 
 Method automatic_method(const ClothModel& model, SimParams params, double stretch)

@@ -52,7 +52,7 @@ TEST(Reference, the_default_tolerance_is_converged)
     params.gravity_z = 1;
     long steps = 0, finer_steps = 0;
     const ClothState usual = run_frames(model, params, 12, &steps);
-    params.tolerance /= 100;
+    params.tolerance = static_cast<float>(CpuReference::kOwnTolerance / 100);
     const ClothState finer = run_frames(model, params, 12, &finer_steps);
     EXPECT_LT(largest_distance(usual, finer), 1e-6);
     EXPECT_GT(finer_steps, steps);

@@ -103,7 +103,8 @@ double CpuReference::advance(const SimParams& params, double time_s, double long
         forces_->forces(x, v, time, a);
         for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverse_mass_[i];
     };
-    const double wanted = double(params.tolerance) * kErrorShare * shortest_thread_;
+    const double tolerance = params.tolerance > 0 ? double(params.tolerance) : kOwnTolerance;
+    const double wanted = tolerance * kErrorShare * shortest_thread_;
     double h = std::min(step_s_ > 0 ? step_s_ : kFirstStep, longest_s);
     for (;;) {
         bodies_.plan(time_s, h, 1);

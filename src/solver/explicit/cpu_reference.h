@@ -34,6 +34,8 @@ class CpuReference final : public ClothSolver
 
     // Error of a step [m] that is let pass: this share of `tolerance` times the shortest thread.
     static constexpr double kErrorShare = 1e-4;
+    // The tolerance where the parameters leave it open.
+    static constexpr double kOwnTolerance = 0.001;
 
   private:
     void refresh(const SimParams& params);

@@ -25,8 +25,10 @@ class ConjugateGradients
   public:
     explicit ConjugateGradients(const SheetRows& rows);
 
-    // Solves A d = r from the guess in d; r is spent. Called by all of the team, which gets the same result.
-    SolveResult solve(SheetSystem& system, Field3& r, Field3& d, const SolveLimits& limits, const Team& team);
+    // Solves A d = r, from the guess (0 without one); r is spent. Called by all of the team, which gets
+    // the same result.
+    SolveResult solve(SheetSystem& system, Field3& r, const Field3* guess, Field3& d, const SolveLimits& limits,
+                      const Team& team);
 
   private:
     SheetRows rows_;
@@ -34,7 +36,10 @@ class ConjugateGradients
     std::vector<double> row_rz_, row_pq_;
 };
 
-// to = from + s step in every row of the team's part.
+// to = s a, and to = from + s step, in one row.
+void scale(const SheetRows& rows, float s, const Field3& a, Field3& to, int row);
+void add_scaled(const SheetRows& rows, const Field3& from, float s, const Field3& step, Field3& to, int row);
+// The latter in every row of the team's part.
 void add_scaled(const SheetRows& rows, const Field3& from, float s, const Field3& step, Field3& to, const Team& team);
 
 }  // namespace nuno

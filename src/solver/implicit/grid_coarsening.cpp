@@ -72,10 +72,10 @@ NUNO_SIMD_CLONES void add_pairs(const GridMatrix& a, std::size_t pair, int row, 
     const PairOffset offset = kPairOffsets[pair];
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, row), next = a.rows.at(i + offset.i, row + offset.j);
-        const RowLanes masses = row_load(a.mass, place) * row_load(a.mass, next);
+        const RowLanes masses = row_load(*a.mass, place) * row_load(*a.mass, next);
         const RowLanes weight = select_positive(masses, RowLanes(share), RowLanes{});
         const RowLanes across = row_load(a.across[pair], place) - row_load(a.plate[pair], place);
-        const RowVec d = row_load(a.x, place) - row_load(a.x, next);
+        const RowVec d = row_load(*a.x, place) - row_load(*a.x, next);
         add_to(sums, i, row_outer(d, weight * row_load(a.along[pair], place), weight * max_real(across, RowLanes{})));
     }
 }
@@ -84,7 +84,7 @@ NUNO_SIMD_CLONES void add_masses(const GridMatrix& a, int row, float share, std:
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes)
         for (const std::size_t e : {0u, 3u, 5u})
-            add_to(sums[e], i, RowLanes(share) * row_load(a.mass, a.rows.at(i, row)));
+            add_to(sums[e], i, RowLanes(share) * row_load(*a.mass, a.rows.at(i, row)));
 }
 
 NUNO_SIMD_CLONES void add_row(const SheetRows& rows, const Field6& from, int row, float share,
@@ -207,10 +207,10 @@ void add_anchors(const GridMatrix& a, CoarseLevel& coarse)
                 const int i1 = i + side * kPairOffsets[pair].i, j1 = j + side * kPairOffsets[pair].j;
                 if (i1 < 0 || j1 < 0 || i1 >= a.rows.columns || j1 >= a.rows.rows) continue;
                 const std::size_t other = a.rows.at(i1, j1), k = side > 0 ? place : other;
-                if (a.mass[other] <= 0) continue;
+                if ((*a.mass)[other] <= 0) continue;
                 const float s = a.along[pair][k], t = std::max(a.across[pair][k], 0.0f);
-                const float x = a.x.x[place] - a.x.x[other], y = a.x.y[place] - a.x.y[other],
-                            z = a.x.z[place] - a.x.z[other];
+                const float x = a.x->x[place] - a.x->x[other], y = a.x->y[place] - a.x->y[other],
+                            z = a.x->z[place] - a.x->z[other];
                 add_anchor(coarse, i1, j1,
                            {s * x * x + t, s * x * y, s * x * z, s * y * y + t, s * y * z, s * z * z + t});
             }
@@ -277,21 +277,19 @@ void restrict_rows(const SheetRows& fine_rows, const Field3& fine, const SheetRo
     });
 }
 
-void add_prolonged(const SheetRows& coarse_rows, const Field3& coarse, const SheetRows& fine_rows, Field3& fine,
-                   const Field* mass, const Team& team)
+void prolong(const SheetRows& coarse_rows, const Field3& coarse, const SheetRows& fine_rows, Field3& fine,
+             const Field* mass, int row)
 {
-    for_rows(fine_rows, team, [&](int j) {
-        const int first = j / 2, second = j % 2 == 0 ? first : std::min(first + 1, coarse_rows.rows - 1);
-        for (const auto& [from, to] : {std::pair(&coarse.x, &fine.x), {&coarse.y, &fine.y}, {&coarse.z, &fine.z}}) {
-            float* row = to->data() + fine_rows.at(0, j);
-            prolong_row(from->data() + coarse_rows.at(0, first), from->data() + coarse_rows.at(0, second), row,
-                        coarse_rows.columns);
-            if (mass)
-                clear_fixed(mass->data() + fine_rows.at(0, j), row, fine_rows.width);
-            else if (fine_rows.columns % 2 != 0)
-                row[fine_rows.columns] = 0;
-        }
-    });
+    const int first = row / 2, second = row % 2 == 0 ? first : std::min(first + 1, coarse_rows.rows - 1);
+    for (const auto& [from, to] : {std::pair(&coarse.x, &fine.x), {&coarse.y, &fine.y}, {&coarse.z, &fine.z}}) {
+        float* at = to->data() + fine_rows.at(0, row);
+        prolong_row(from->data() + coarse_rows.at(0, first), from->data() + coarse_rows.at(0, second), at,
+                    coarse_rows.columns);
+        if (mass)
+            clear_fixed(mass->data() + fine_rows.at(0, row), at, fine_rows.width);
+        else if (fine_rows.columns % 2 != 0)
+            at[fine_rows.columns] = 0;
+    }
 }
 
 }  // namespace nuno

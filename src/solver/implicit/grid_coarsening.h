@@ -15,8 +15,8 @@ void coarsen_level(const CoarseLevel& fine, CoarseLevel& coarse, const Team& tea
 void restrict_rows(const SheetRows& fine_rows, const Field3& fine, const SheetRows& coarse_rows, Field3& coarse,
                    const Team& team);
 
-// fine += P coarse where `mass` is positive, or everywhere without it.
-void add_prolonged(const SheetRows& coarse_rows, const Field3& coarse, const SheetRows& fine_rows, Field3& fine,
-                   const Field* mass, const Team& team);
+// fine += P coarse in one row of it, where `mass` is positive, or everywhere without it.
+void prolong(const SheetRows& coarse_rows, const Field3& coarse, const SheetRows& fine_rows, Field3& fine,
+             const Field* mass, int row);
 
 }  // namespace nuno

@@ -15,59 +15,21 @@ NUNO_WIDE_INLINE RowVec pair_force(const GridMatrix& a, std::size_t pair, std::s
 
 NUNO_WIDE_INLINE RowVec product_at(const GridMatrix& a, const Field3& p, std::size_t i)
 {
-    const RowVec x = row_load(a.x, i), own = row_load(p, i);
-    RowVec sum = row_load(a.mass, i) * own;
+    const RowVec x = row_load(*a.x, i), own = row_load(p, i);
+    RowVec sum = row_load(*a.mass, i) * own;
     const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
 #pragma GCC unroll 6
     for (std::size_t pair = 0; pair < kPairCount; ++pair) {
         const std::size_t next = i + steps[pair], back = i - steps[pair];
-        sum = sum + pair_force(a, pair, i, x - row_load(a.x, next), own - row_load(p, next));
-        sum = sum + pair_force(a, pair, back, x - row_load(a.x, back), own - row_load(p, back));
+        sum = sum + pair_force(a, pair, i, x - row_load(*a.x, next), own - row_load(p, next));
+        sum = sum + pair_force(a, pair, back, x - row_load(*a.x, back), own - row_load(p, back));
     }
     return sum;
 }
 
 NUNO_WIDE_INLINE RowVec where_free(const GridMatrix& a, std::size_t i, const RowVec& v)
 {
-    return select_positive(row_load(a.mass, i), v, RowVec{});
-}
-
-NUNO_SIMD_CLONES double apply_row(const GridMatrix& a, const Field3& p, Field3& q, int j)
-{
-    RowLanes sum{};
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        const RowVec y = where_free(a, place, product_at(a, p, place));
-        row_store(q, place, y);
-        sum = sum + row_dot(row_load(p, place), y);
-    }
-    return row_sum(sum);
-}
-
-NUNO_SIMD_CLONES void residual_row(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, int j)
-{
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        row_store(t, place, where_free(a, place, row_load(r, place) - product_at(a, x, place)));
-    }
-}
-
-NUNO_SIMD_CLONES void smooth_row(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, int j)
-{
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        const RowVec defect = row_load(r, place) - product_at(a, x, place);
-        const RowVec step = RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
-        row_store(z, place, row_load(x, place) + step);
-    }
-}
-
-NUNO_SIMD_CLONES void smooth_row_from_zero(const GridMatrix& a, const Field3& r, Field3& z, int j)
-{
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        row_store(z, place, RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
-    }
+    return select_positive(row_load(*a.mass, i), v, RowVec{});
 }
 
 NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, std::size_t pair, std::size_t k, const RowVec& d)
@@ -76,57 +38,73 @@ NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, std::size_t pair, std
     return row_outer(d, row_load(a.along[pair], k), max_real(across, -across));
 }
 
-NUNO_SIMD_CLONES void invert_row(GridMatrix& a, int j)
-{
-    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        const RowVec x = row_load(a.x, place);
-        const RowLanes mass = row_load(a.mass, place);
-        RowMatrix sum = row_diagonal(mass);
-#pragma GCC unroll 6
-        for (std::size_t pair = 0; pair < kPairCount; ++pair) {
-            const std::size_t next = place + steps[pair], back = place - steps[pair];
-            sum = sum + pair_block(a, pair, place, x - row_load(a.x, next));
-            sum = sum + pair_block(a, pair, back, x - row_load(a.x, back));
-        }
-        row_store(a.inverse_diagonal, place, row_inverse(sum, mass));
-    }
-}
-
 }  // namespace
 
-GridMatrix::GridMatrix(const SheetRows& rows_)
-    : rows(rows_), mass(rows.size()), x(rows.size()), inverse_diagonal(rows.size())
+GridMatrix::GridMatrix(const SheetRows& rows_) : rows(rows_), inverse_diagonal(rows.size())
 {
     for (Field& field : along) field = Field(rows.size());
     for (Field& field : across) field = Field(rows.size());
     for (Field& field : plate) field = Field(rows.size());
 }
 
-void invert_diagonal(GridMatrix& a, const Team& team)
+NUNO_SIMD_CLONES void invert_diagonal(GridMatrix& a, int row)
 {
-    for_rows(a.rows, team, [&](int j) { invert_row(a, j); });
+    const std::array<std::size_t, kPairCount> steps = pair_steps(a.rows);
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, row);
+        const RowVec x = row_load(*a.x, place);
+        const RowLanes mass = row_load(*a.mass, place);
+        RowMatrix sum = row_diagonal(mass);
+#pragma GCC unroll 6
+        for (std::size_t pair = 0; pair < kPairCount; ++pair) {
+            const std::size_t next = place + steps[pair], back = place - steps[pair];
+            sum = sum + pair_block(a, pair, place, x - row_load(*a.x, next));
+            sum = sum + pair_block(a, pair, back, x - row_load(*a.x, back));
+        }
+        row_store(a.inverse_diagonal, place, row_inverse(sum, mass));
+    }
 }
 
-void apply(const GridMatrix& a, const Field3& p, Field3& q, std::span<double> row_sums, const Team& team)
+NUNO_SIMD_CLONES double apply(const GridMatrix& a, const Field3& p, Field3& q, int row)
 {
-    for_rows(a.rows, team, [&](int j) { row_sums[std::size_t(j)] = apply_row(a, p, q, j); });
+    RowLanes sum{};
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, row);
+        const RowVec y = where_free(a, place, product_at(a, p, place));
+        row_store(q, place, y);
+        sum = sum + row_dot(row_load(p, place), y);
+    }
+    return row_sum(sum);
 }
 
-void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, const Team& team)
+NUNO_SIMD_CLONES void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, int row)
 {
-    for_rows(a.rows, team, [&](int j) { residual_row(a, x, r, t, j); });
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, row);
+        row_store(t, place, where_free(a, place, row_load(r, place) - product_at(a, x, place)));
+    }
 }
 
-void smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, const Team& team)
+NUNO_SIMD_CLONES double smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, int row)
 {
-    for_rows(a.rows, team, [&](int j) { smooth_row(a, x, r, z, j); });
+    RowLanes sum{};
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, row);
+        const RowVec goal = row_load(r, place), defect = goal - product_at(a, x, place);
+        const RowVec step = RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
+        const RowVec y = row_load(x, place) + step;
+        row_store(z, place, y);
+        sum = sum + row_dot(goal, y);
+    }
+    return row_sum(sum);
 }
 
-void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, const Team& team)
+NUNO_SIMD_CLONES void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, int row)
 {
-    for_rows(a.rows, team, [&](int j) { smooth_row_from_zero(a, r, z, j); });
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, row);
+        row_store(z, place, RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
+    }
 }
 
 }  // namespace nuno

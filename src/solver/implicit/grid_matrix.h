@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "solver/implicit/sheet_rows.h"
@@ -32,8 +31,8 @@ struct GridMatrix
     explicit GridMatrix(const SheetRows& rows);
 
     SheetRows rows;
-    Field mass;                            // [kg/s2], what the vertex itself resists with; 0: fixed
-    Field3 x;                              // [m], where the springs were linearised
+    const Field* mass = nullptr;           // [kg/s2], what the vertex itself resists with; 0: fixed
+    const Field3* x = nullptr;             // [m], where the springs were linearised
     std::array<Field, kPairCount> along;   // [N/m3]
     std::array<Field, kPairCount> across;  // [N/m], the plate's share in it
     std::array<Field, kPairCount> plate;   // [N/m], of either sign
@@ -42,19 +41,22 @@ struct GridMatrix
     std::vector<std::size_t> fixed;  // places of fixed vertices, ascending
 };
 
-// Fills inverse_diagonal.
-void invert_diagonal(GridMatrix& a, const Team& team);
+// The functions below are of one row, and read their arguments up to kGridReach rows away.
+constexpr int kGridReach = 2;
 
-// q = A p, and p . q of each row.
-void apply(const GridMatrix& a, const Field3& p, Field3& q, std::span<double> row_sums, const Team& team);
+// Fills inverse_diagonal, from mass, x, along and across.
+void invert_diagonal(GridMatrix& a, int row);
 
-// t = r - A x.
-void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, const Team& team);
+// q = A p; returns p . q.
+double apply(const GridMatrix& a, const Field3& p, Field3& q, int row);
 
-// z = x + w D^-1 (r - A x), one step of damped Jacobi.
-void smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, const Team& team);
+// t = r - A x; t may be r.
+void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, int row);
+
+// z = x + w D^-1 (r - A x), one step of damped Jacobi; returns r . z.
+double smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, int row);
 
 // z = w D^-1 r, the same from 0.
-void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, const Team& team);
+void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, int row);
 
 }  // namespace nuno

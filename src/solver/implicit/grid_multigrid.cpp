@@ -263,9 +263,9 @@ void CoarseGrids::cycle(std::size_t level, const Team& team)
         solve_coarsest(factor_, solution_, a);
         return;
     }
-    for_rows(a.rows, team, [&](int j) { smooth_row_from_zero(a, j); });
-    team.wait();
-    for_rows(a.rows, team, [&](int j) { residual_row(a, has_plate_, j); });
+    for_rows_in_turn(
+        a.rows, kGridReach, team, [&](int j) { smooth_row_from_zero(a, j); },
+        [&](int j) { residual_row(a, has_plate_, j); });
     team.wait();
     CoarseLevel& next = levels_[level + 1];
     restrict_rows(a.rows, a.t, next.rows, next.r, team);
@@ -276,9 +276,9 @@ void CoarseGrids::cycle(std::size_t level, const Team& team)
         if (team.leads()) cycle(level + 1, Team());
         team.wait();
     }
-    add_prolonged(next.rows, next.x, a.rows, a.x, nullptr, team);
-    team.wait();
-    for_rows(a.rows, team, [&](int j) { smooth_row(a, has_plate_, j); });
+    for_rows_in_turn(
+        a.rows, kGridReach, team, [&](int j) { prolong(next.rows, next.x, a.rows, a.x, nullptr, j); },
+        [&](int j) { smooth_row(a, has_plate_, j); });
     team.wait();
     if (team.leads()) std::swap(a.x, a.t);
     team.wait();
@@ -290,19 +290,20 @@ void GridMultigrid::coarsen(const GridMatrix& fine, const Team& team)
     coarse_.prepare(team);
 }
 
-void GridMultigrid::precondition(const GridMatrix& fine, const Field3& r, Field3& z, Field3& t, const Team& team)
+void GridMultigrid::precondition(const GridMatrix& fine, const Field3& r, Field3& z, Field3& t,
+                                 std::span<double> row_dots, const Team& team)
 {
-    smooth_from_zero(fine, r, t, team);
-    team.wait();
-    residual(fine, t, r, z, team);
+    for_rows_in_turn(
+        fine.rows, kGridReach, team, [&](int j) { smooth_from_zero(fine, r, t, j); },
+        [&](int j) { residual(fine, t, r, z, j); });
     team.wait();
     CoarseLevel& next = coarse_.first();
     restrict_rows(fine.rows, z, next.rows, next.r, team);
     team.wait();
     coarse_.solve(team);
-    add_prolonged(next.rows, next.x, fine.rows, t, &fine.mass, team);
-    team.wait();
-    smooth(fine, t, r, z, team);
+    for_rows_in_turn(
+        fine.rows, kGridReach, team, [&](int j) { prolong(next.rows, next.x, fine.rows, t, fine.mass, j); },
+        [&](int j) { row_dots[std::size_t(j)] = smooth(fine, t, r, z, j); });
 }
 
 }  // namespace nuno

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "solver/implicit/grid_matrix.h"
@@ -57,9 +58,10 @@ class GridMultigrid
     void set_plate(const GridMatrix& fine) { coarse_.set_plate(fine.rows, fine.has_plate ? &fine.plate : nullptr); }
     // Makes the coarse levels of `fine`. Called by all of the team.
     void coarsen(const GridMatrix& fine, const Team& team);
-    // z = B r, B close to the inverse of the matrix and positive definite. r is 0 where a vertex is fixed; t is
-    // scratch.
-    void precondition(const GridMatrix& fine, const Field3& r, Field3& z, Field3& t, const Team& team);
+    // z = B r, B close to the inverse of the matrix and positive definite, and r . z of each row. r is 0 where a vertex
+    // is fixed; t is scratch.
+    void precondition(const GridMatrix& fine, const Field3& r, Field3& z, Field3& t, std::span<double> row_dots,
+                      const Team& team);
 
   private:
     CoarseGrids coarse_;

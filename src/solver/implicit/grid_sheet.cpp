@@ -18,10 +18,12 @@ NUNO_WIDE_INLINE RowVec difference(const SheetMotion& m, std::size_t a, std::siz
 struct PairPointers
 {
     const float *axial, *rest_length, *plate;
+    std::size_t shift;             // from a place to where its springs are read
     float *along, *across, *pull;  // null where only energies are wanted
 
     NUNO_WIDE_INLINE PairSprings springs(std::size_t at) const
     {
+        at += shift;
         return {RowLanes(axial + at), RowLanes(rest_length + at), RowLanes(plate + at)};
     }
 };
@@ -60,7 +62,7 @@ NUNO_SIMD_CLONES double energy_of_pairs(const SheetRows& rows, PairOffset offset
 
 // Sum over the pairs of each vertex.
 NUNO_SIMD_CLONES void gather_forces(const SheetRows& rows, const std::array<Field, kPairCount>& pull,
-                                    const SheetMotion& at, Field3& force, Field3& x, int j)
+                                    const SheetMotion& at, Field3& force, int j)
 {
     const std::array<std::size_t, kPairCount> steps = pair_steps(rows);
     for (int i = 0; i < rows.width; i += kRowLanes) {
@@ -73,7 +75,6 @@ NUNO_SIMD_CLONES void gather_forces(const SheetRows& rows, const std::array<Fiel
             sum = sum + row_load(pull[pair], back) * difference(at, place, back);
         }
         row_store(force, place, sum);
-        row_store(x, place, row_load(at.x, place));
     }
 }
 
@@ -113,64 +114,91 @@ void GridSheet::set_springs(const ClothModel& model, std::span<const SpringWeigh
         }
     }
     multigrid_.set_plate(matrix_);
+    find_like_rows();
+}
+
+void GridSheet::find_like_rows()
+{
+    const SheetRows& rows = matrix_.rows;
+    const auto same = [&](const std::array<Field, kPairCount>& fields, int a, int b) {
+        return std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
+            const float* first = &field[rows.at(0, a)];
+            return std::equal(first, first + rows.width, &field[rows.at(0, b)]);
+        });
+    };
+    like_row_.assign(std::size_t(rows.rows), 0);
+    for (int j = 1; j < rows.rows; ++j) {
+        const int before = like_row_[std::size_t(j) - 1];
+        const bool alike = same(axial_, before, j) && same(rest_length_, before, j) && same(matrix_.plate, before, j);
+        like_row_[std::size_t(j)] = alike ? before : j;
+    }
+}
+
+// What leads, modulo 2^64, from a place in this row to the same column of the row whose springs are like its own.
+std::size_t GridSheet::springs_shift(int row) const
+{
+    return matrix_.rows.at(0, like_row_[std::size_t(row)]) - matrix_.rows.at(0, row);
+}
+
+// Fills a row of the matrix but for its diagonal; returns the energy of its springs.
+double GridSheet::linearise(const SheetMotion& at, const StageTerms& terms, int row)
+{
+    const SheetRows& r = matrix_.rows;
+    const std::size_t shift = springs_shift(row);
+    double energy = 0;
+    for (std::size_t k = 0; k < kPairCount; ++k)
+        energy += assemble_pairs(r, kPairOffsets[k],
+                                 {.axial = axial_[k].data(),
+                                  .rest_length = rest_length_[k].data(),
+                                  .plate = matrix_.plate[k].data(),
+                                  .shift = shift,
+                                  .along = matrix_.along[k].data(),
+                                  .across = matrix_.across[k].data(),
+                                  .pull = pull_[k].data()},
+                                 at, terms, row);
+    return energy;
 }
 
 void GridSheet::assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
                          std::span<double> row_energy, const Team& team)
 {
-    const SheetRows& r = matrix_.rows;
-    for_rows(r, team, [&](int j) {
-        double energy = 0;
-        for (std::size_t k = 0; k < kPairCount; ++k)
-            energy += assemble_pairs(r, kPairOffsets[k],
-                                     {.axial = axial_[k].data(),
-                                      .rest_length = rest_length_[k].data(),
-                                      .plate = matrix_.plate[k].data(),
-                                      .along = matrix_.along[k].data(),
-                                      .across = matrix_.across[k].data(),
-                                      .pull = pull_[k].data()},
-                                     at, terms, j);
-        row_energy[std::size_t(j)] = energy;
-        std::copy_n(&mass[r.at(0, j)], r.width, &matrix_.mass[r.at(0, j)]);
-    });
-    team.wait();
     if (team.leads()) {
+        matrix_.mass = &mass;
+        matrix_.x = &at.x;
         matrix_.fixed.clear();
         for (const std::size_t place : places_)
             if (mass[place] <= 0) matrix_.fixed.push_back(place);
     }
-    for_rows(r, team, [&](int j) { gather_forces(r, pull_, at, force, matrix_.x, j); });
     team.wait();
-    invert_diagonal(matrix_, team);
+    for_rows_in_turn(
+        matrix_.rows, kGridReach, team, [&](int j) { row_energy[std::size_t(j)] = linearise(at, terms, j); },
+        [&](int j) {
+            gather_forces(matrix_.rows, pull_, at, force, j);
+            invert_diagonal(matrix_, j);
+        });
     multigrid_.coarsen(matrix_, team);
 }
 
-void GridSheet::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
-                            std::span<double> row_energy, const Team& team) const
+double GridSheet::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms, int row) const
 {
-    for_rows(matrix_.rows, team, [&](int j) {
-        double energy = 0;
-        for (std::size_t k = 0; k < kPairCount; ++k)
-            energy += energy_of_pairs(matrix_.rows, kPairOffsets[k],
-                                      {.axial = axial_[k].data(),
-                                       .rest_length = rest_length_[k].data(),
-                                       .plate = matrix_.plate[k].data(),
-                                       .along = nullptr,
-                                       .across = nullptr,
-                                       .pull = nullptr},
-                                      from, to, terms, j);
-        row_energy[std::size_t(j)] = energy;
-    });
+    const std::size_t shift = springs_shift(row);
+    double energy = 0;
+    for (std::size_t k = 0; k < kPairCount; ++k)
+        energy += energy_of_pairs(matrix_.rows, kPairOffsets[k],
+                                  {.axial = axial_[k].data(),
+                                   .rest_length = rest_length_[k].data(),
+                                   .plate = matrix_.plate[k].data(),
+                                   .shift = shift,
+                                   .along = nullptr,
+                                   .across = nullptr,
+                                   .pull = nullptr},
+                                  from, to, terms, row);
+    return energy;
 }
 
-void GridSheet::apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const
+void GridSheet::precondition(const Field3& r, Field3& z, Field3& t, std::span<double> row_dots, const Team& team)
 {
-    nuno::apply(matrix_, p, q, row_dots, team);
-}
-
-void GridSheet::precondition(const Field3& r, Field3& z, Field3& t, const Team& team)
-{
-    multigrid_.precondition(matrix_, r, z, t, team);
+    multigrid_.precondition(matrix_, r, z, t, row_dots, team);
 }
 
 }  // namespace nuno

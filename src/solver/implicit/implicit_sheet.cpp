@@ -45,14 +45,6 @@ void copy_row(const SheetRows& rows, const Field3& from, Field3& to, int j)
     std::copy_n(&from.z[place], rows.width, &to.z[place]);
 }
 
-NUNO_SIMD_CLONES void scale_row(const SheetRows& rows, float s, const Field3& a, Field3& to, int j)
-{
-    for (int i = 0; i < rows.width; i += kRowLanes) {
-        const std::size_t place = rows.at(i, j);
-        row_store(to, place, RowLanes(s) * row_load(a, place));
-    }
-}
-
 struct LoadInputs
 {
     const SheetRows& rows;
@@ -139,64 +131,65 @@ void ImplicitSheet::set_load(float tau, const StageSettings& settings, const Tea
     team.wait();
 }
 
-// trial_ = at_ + share d_
-void ImplicitSheet::try_step(float tau, float share, const Team& team)
-{
-    const SheetRows& rows = system_->rows();
-    for_rows(rows, team, [&](int j) { move_row(rows, at_, share, d_, trial_, j); });
-    add_scaled(rows, at_.v, share / tau, d_, trial_.v, team);
-    team.wait();
-}
-
-double ImplicitSheet::other_energy(float tau, const StageSettings& settings, const SheetMotion& at, float share,
-                                   const Team& team)
-{
-    const SheetRows& rows = system_->rows();
-    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
-    team.wait();
-    for_rows(rows, team, [&](int j) { row_sums_[std::size_t(j)] = energy_row(in, at.v, goal_, share, d_, j); });
-    return team.sum(row_sums_) + team.sum(row_energy_);
-}
-
 void ImplicitSheet::solve_stage(float tau, const StageSettings& settings, const Team& team)
 {
-    const SheetRows& rows = system_->rows();
-    const StageTerms terms{tau, settings.stiffness_damping};
-    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
     set_load(tau, settings, team);
     SolveLimits limits{settings.tolerance * load_sq_, settings.tolerance, kMostIterations};
     for (int step = 0; step < settings.newton_steps; ++step) {
-        system_->assemble(at_, mass_, terms, r_, row_energy_, team);
-        const double before = other_energy(tau, settings, at_, 0, team);
-        for_rows(rows, team, [&](int j) {
-            residual_row(in, at_.v, goal_, r_, j);
-            copy_row(rows, step == 0 ? guess_ : zero_, d_, j);
-        });
-        team.wait();
-        const SolveResult solved = solver_.solve(*system_, r_, d_, limits, team);
+        const SolveResult solved = newton_step(tau, settings, step == 0 ? &guess_ : nullptr, limits, team);
         limits = {solved.target_sq, 0, kMostIterations};
-        take_step(tau, settings, before, solved.target_sq, team);
-        if (team.leads()) count(solved);
-        team.wait();
         if (solved.iterations == 0 && step > 0) break;
     }
+}
+
+SolveResult ImplicitSheet::newton_step(float tau, const StageSettings& settings, const Field3* guess,
+                                       const SolveLimits& limits, const Team& team)
+{
+    const SheetRows& rows = system_->rows();
+    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
+    system_->assemble(at_, mass_, {tau, settings.stiffness_damping}, r_, row_energy_, team);
+    for_rows(rows, team, [&](int j) {
+        row_energy_[std::size_t(j)] += energy_row(in, at_.v, goal_, 0, at_.v, j);
+        residual_row(in, at_.v, goal_, r_, j);
+    });
+    const double before = team.sum(row_energy_);
+    const SolveResult solved = solver_.solve(*system_, r_, guess, d_, limits, team);
+    take_step(tau, settings, before, solved.target_sq, team);
+    if (team.leads()) count(solved);
+    team.wait();
+    return solved;
 }
 
 // at_ += share d_, the share halved until the energy of the stage does not rise.
 void ImplicitSheet::take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team)
 {
-    const StageTerms terms{tau, settings.stiffness_damping};
+    const double most = before + kEnergyRounding * std::abs(before) + slack;
     float share = 1;
-    for (int halvings = 0;; share *= 0.5f, ++halvings) {
-        try_step(tau, share, team);
-        system_->step_energy(at_, trial_, terms, row_energy_, team);
-        const double after = other_energy(tau, settings, trial_, share, team);
-        if (after <= before + kEnergyRounding * std::abs(before) + slack || halvings == kMostHalvings) break;
+    for (int halvings = 0; !(energy_of_step(tau, settings, share, team) <= most) && halvings < kMostHalvings;
+         ++halvings) {
+        share *= 0.5f;
         team.wait();
     }
     team.wait();
     if (team.leads()) std::swap(at_, trial_);
     team.wait();
+}
+
+// trial_ = at_ + share d_, and its energy.
+double ImplicitSheet::energy_of_step(float tau, const StageSettings& settings, float share, const Team& team)
+{
+    const SheetRows& rows = system_->rows();
+    const StageTerms terms{tau, settings.stiffness_damping};
+    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
+    const auto move = [&](int j) {
+        move_row(rows, at_, share, d_, trial_, j);
+        add_scaled(rows, at_.v, share / tau, d_, trial_.v, j);
+    };
+    for_rows_in_turn(rows, system_->reach(), team, move, [&](int j) {
+        row_energy_[std::size_t(j)] =
+            system_->step_energy(at_, trial_, terms, j) + energy_row(in, trial_.v, goal_, share, d_, j);
+    });
+    return team.sum(row_energy_);
 }
 
 void ImplicitSheet::count(const SolveResult& solved)
@@ -225,7 +218,7 @@ void ImplicitSheet::start_first_stage(float tau, const Team& team)
         copy_row(rows, now_.x_low, at_.x_low, j);
         copy_row(rows, zero_, at_.v, j);
         copy_row(rows, now_.v, goal_, j);
-        scale_row(rows, tau, now_.v, guess_, j);
+        scale(rows, tau, now_.v, guess_, j);
     });
     team.wait();
 }
@@ -244,8 +237,8 @@ void ImplicitSheet::sdirk2(float h, const StageSettings& first, const StageSetti
     add_scaled(rows, now_.v, -ratio, now_.v, goal_, team);
     add_scaled(rows, goal_, ratio, at_.v, goal_, team);
     for_rows(rows, team, [&](int j) {
-        scale_row(rows, rest, at_.v, guess_, j);
-        scale_row(rows, back, at_.v, at_.v, j);
+        scale(rows, rest, at_.v, guess_, j);
+        scale(rows, back, at_.v, at_.v, j);
     });
     team.wait();
     solve_stage(tau, second, team);

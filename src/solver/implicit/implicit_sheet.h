@@ -55,9 +55,10 @@ class ImplicitSheet
     void solve_stage(float tau, const StageSettings& settings, const Team& team);
     void start_first_stage(float tau, const Team& team);
     void set_load(float tau, const StageSettings& settings, const Team& team);
+    SolveResult newton_step(float tau, const StageSettings& settings, const Field3* guess, const SolveLimits& limits,
+                            const Team& team);
     void take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team);
-    void try_step(float tau, float share, const Team& team);
-    double other_energy(float tau, const StageSettings& settings, const SheetMotion& at, float share, const Team& team);
+    double energy_of_step(float tau, const StageSettings& settings, float share, const Team& team);
     void count(const SolveResult& solved);
 
     std::unique_ptr<SheetSystem> system_;

@@ -127,26 +127,41 @@ NUNO_SIMD_CLONES double apply_row(const Matrix& a, const Field3& p, Field3& q, i
     return row_sum(sum);
 }
 
-// to = r - A u, or u + w D^-1 (r - A u).
-NUNO_SIMD_CLONES void defect_row(const Matrix& a, const Field3& u, const Field3& r, bool smooths, Field3& to, int j)
+// to = r - A u; to may be r.
+NUNO_SIMD_CLONES void defect_row(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
 {
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        const RowVec defect = row_load(r, place) - product_at(a, u, place, j);
-        if (smooths)
-            row_store(to, place,
-                      row_load(u, place) + RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect));
-        else
-            row_store(to, place, where_free(a, place, defect));
+        row_store(to, place, where_free(a, place, row_load(r, place) - product_at(a, u, place, j)));
     }
 }
 
-NUNO_SIMD_CLONES void scale_row(const Matrix& a, float weight, const Field3& r, Field3& to, int j)
+// to = u + w D^-1 (r - A u); returns r . to.
+NUNO_SIMD_CLONES double smooth_row(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
 {
+    RowLanes sum{};
     for (int i = 0; i < a.rows.width; i += kRowLanes) {
         const std::size_t place = a.rows.at(i, j);
-        row_store(to, place, RowLanes(weight) * (row_load(a.inverse_diagonal, place) * row_load(r, place)));
+        const RowVec goal = row_load(r, place), defect = goal - product_at(a, u, place, j);
+        const RowVec y = row_load(u, place) + RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
+        row_store(to, place, y);
+        sum = sum + row_dot(goal, y);
     }
+    return row_sum(sum);
+}
+
+// to = weight D^-1 r; returns r . to.
+NUNO_SIMD_CLONES double scale_row(const Matrix& a, float weight, const Field3& r, Field3& to, int j)
+{
+    RowLanes sum{};
+    for (int i = 0; i < a.rows.width; i += kRowLanes) {
+        const std::size_t place = a.rows.at(i, j);
+        const RowVec goal = row_load(r, place);
+        const RowVec y = RowLanes(weight) * (row_load(a.inverse_diagonal, place) * goal);
+        row_store(to, place, y);
+        sum = sum + row_dot(goal, y);
+    }
+    return row_sum(sum);
 }
 
 void copy_in(const SheetRows& rows, const Field& from, Field& to, int j)
@@ -262,29 +277,34 @@ void MeshSystem::assemble(const SheetMotion& at, const Field& mass, const StageT
     overlay_->coarsen(mass_, ties, team);
 }
 
-void MeshSystem::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
-                             std::span<double> row_energy, const Team& team) const
+double MeshSystem::step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms, int row) const
 {
-    for_rows(rows_, team,
-             [&](int j) { row_energy[std::size_t(j)] = energy_of_row(rows_, pairs_, from, to, terms, j); });
+    return energy_of_row(rows_, pairs_, from, to, terms, row);
 }
 
-void MeshSystem::apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const
+double MeshSystem::apply(const Field3& p, Field3& q, int row) const
 {
-    const Matrix a{rows_, pairs_, mass_, x_, inverse_diagonal_};
-    for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = apply_row(a, p, q, j); });
+    return apply_row({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, q, row);
 }
 
-void MeshSystem::precondition(const Field3& r, Field3& z, Field3& t, const Team& team)
+void MeshSystem::subtract(const Field3& p, Field3& r, int row) const
+{
+    defect_row({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, r, r, row);
+}
+
+void MeshSystem::precondition(const Field3& r, Field3& z, Field3& t, std::span<double> row_dots, const Team& team)
 {
     const Matrix a{rows_, pairs_, mass_, x_, inverse_diagonal_};
-    if (!overlay_) return for_rows(rows_, team, [&](int j) { scale_row(a, 1.0f, r, z, j); });
+    if (!overlay_) {
+        for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = scale_row(a, 1.0f, r, z, j); });
+        return;
+    }
     for_rows(rows_, team, [&](int j) { scale_row(a, kJacobiWeight, r, t, j); });
     team.wait();
-    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, false, z, j); });
+    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, z, j); });
     team.wait();
     overlay_->correct(mass_, z, t, rows_, team);
-    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, true, z, j); });
+    for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = smooth_row(a, t, r, z, j); });
 }
 
 }  // namespace nuno

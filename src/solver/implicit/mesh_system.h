@@ -33,10 +33,11 @@ class MeshSystem final : public SheetSystem
     void set_springs(const ClothModel& model, std::span<const SpringWeight> weights) override;
     void assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
                   std::span<double> row_energy, const Team& team) override;
-    void step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
-                     std::span<double> row_energy, const Team& team) const override;
-    void apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const override;
-    void precondition(const Field3& r, Field3& z, Field3& t, const Team& team) override;
+    void precondition(const Field3& r, Field3& z, Field3& t, std::span<double> row_dots, const Team& team) override;
+    int reach() const override { return rows_.rows; }
+    double step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms, int row) const override;
+    double apply(const Field3& p, Field3& q, int row) const override;
+    void subtract(const Field3& p, Field3& r, int row) const override;
 
   private:
     std::uint32_t first_vertex_;

@@ -1,6 +1,7 @@
 // How the vertices of a sheet lie in the arrays of the implicit methods.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "solver/base/team.h"
@@ -41,6 +42,26 @@ void for_rows(const SheetRows& rows, const Team& team, const Row& row)
 {
     const Range part = team.part(rows.rows);
     for (int j = part.begin; j < part.end; ++j) row(j);
+}
+
+// Calls first(j) for every row of this thread's part, and second(j) once first is done for all rows up to `reach` away:
+// as soon as may be, while they are in the cache; for those within reach of another thread's part, after it. Returns
+// without waiting for the others' second.
+template <class First, class Second>
+void for_rows_in_turn(const SheetRows& rows, int reach, const Team& team, const First& first, const Second& second)
+{
+    const Range part = team.part(rows.rows);
+    const int begin = part.begin == 0 ? 0 : std::min(part.begin + reach, part.end);
+    const int end = std::max(begin, part.end == rows.rows ? part.end : part.end - reach);
+    int next = begin;
+    for (int j = part.begin; j < part.end; ++j) {
+        first(j);
+        for (; next < end && next + reach <= j; ++next) second(next);
+    }
+    for (; next < end; ++next) second(next);
+    team.wait();
+    for (int j = part.begin; j < begin; ++j) second(j);
+    for (int j = end; j < part.end; ++j) second(j);
 }
 
 // Damped Jacobi, as all levels are smoothed by it: the share of D^-1 r that a step takes.

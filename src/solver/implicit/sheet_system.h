@@ -35,20 +35,25 @@ class SheetSystem
 
     virtual void set_springs(const ClothModel& model, std::span<const SpringWeight> weights) = 0;
 
-    // All that follows is called by every thread of the team; results are there after the team has waited.
+    // These are called by every thread of the team; results are there after the team has waited.
 
     // Forces of springs and their dampers at `at`, their energy of each row (as step_energy counts it), and the matrix
     //   A = diag(mass) + (1 + damping / tau) K, K without what would make it indefinite.
-    // mass [kg/s2]; 0 holds a vertex.
+    // mass [kg/s2]; 0 holds a vertex. `at` and `mass` must stay as they are while A is in use.
     virtual void assemble(const SheetMotion& at, const Field& mass, const StageTerms& terms, Field3& force,
                           std::span<double> row_energy, const Team& team) = 0;
+    // z = B r, B close to the inverse of A, and r . z of each row; t is scratch.
+    virtual void precondition(const Field3& r, Field3& z, Field3& t, std::span<double> row_dots, const Team& team) = 0;
+
+    // What follows is of one row, once its arguments are there up to `reach` rows away.
+    virtual int reach() const = 0;
     // Energy of the springs at `to`, and what their dampers take up in a stage, with the directions of `from`.
-    virtual void step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
-                             std::span<double> row_energy, const Team& team) const = 0;
-    // q = A p, and p . q of each row.
-    virtual void apply(const Field3& p, Field3& q, std::span<double> row_dots, const Team& team) const = 0;
-    // z = B r, B close to the inverse of A; t is scratch.
-    virtual void precondition(const Field3& r, Field3& z, Field3& t, const Team& team) = 0;
+    virtual double step_energy(const SheetMotion& from, const SheetMotion& to, const StageTerms& terms,
+                               int row) const = 0;
+    // q = A p; returns p . q.
+    virtual double apply(const Field3& p, Field3& q, int row) const = 0;
+    // r -= A p.
+    virtual void subtract(const Field3& p, Field3& r, int row) const = 0;
 };
 
 }  // namespace nuno
