@@ -81,18 +81,3 @@ SHARED_FN Vec3 tethered(Vec3 x, Vec3 anchor, Real length)
     PRECISE Vec3 at_end = anchor + ratio * d;
     return select_positive(Real(1.0f) - ratio, at_end, x);
 }
-
-// A tether that may be new, and find the particle too far away: put back without the speed of the way back, it only
-// loses the speed with which it goes further away.
-SHARED_FN Motion held_back(Motion m, Vec3 anchor, Real length)
-{
-    PRECISE Vec3 d = m.position - anchor;
-    PRECISE Real per_length = inverse_root(dot_product(d, d));
-    PRECISE Real ratio = length * per_length;
-    PRECISE Vec3 outward = per_length * d;
-    PRECISE Real speed = max_real(dot_product(m.velocity, outward), Real(0.0f));
-    PRECISE Vec3 position = anchor + ratio * d;
-    PRECISE Vec3 velocity = m.velocity - speed * outward;
-    PRECISE Real slack = Real(1.0f) - ratio;
-    return select_motion(slack, motion(position, velocity), m);
-}

@@ -6,7 +6,12 @@
 
 layout(binding = UNIT_BODIES) uniform samplerBuffer body_steps;    // BodyStep of src/model/body_steps.h
 layout(binding = UNIT_DISTANCES) uniform samplerBuffer distances;  // BodySteps::grid_numbers
-layout(location = LOCATION_FIRST_BODY) uniform int first_body;     // of this substep
+#ifdef IN_ONE_GROUP
+layout(location = LOCATION_FIRST_BODY) uniform int first_body_of_all; // of the first substep
+int first_body;                                                       // of this substep
+#else
+layout(location = LOCATION_FIRST_BODY) uniform int first_body; // of this substep
+#endif
 
 const int spheres_from = PLANE_COUNT;
 const int capsules_from = spheres_from + SPHERE_COUNT;

@@ -1,6 +1,7 @@
 // What kernels that gather forces share: the inputs of a substep and the acceleration of a vertex.
 // Defined by the caller: SPRING_QUADS (slots of the spring entries / 4), DAMPED_SPRINGS (0, 1), CORNER_QUADS (slots of
-// the corner table / 4; 0 where no face has a force). Include after shared/dialect.glsl.
+// the corner table / 4; 0 where no face has a force). IN_ONE_GROUP, where defined, is explained at its place. Include
+// after shared/dialect.glsl.
 #include "shared/bindings.h"
 #include "shared/vector.h"
 #include "shared/forces.h"
@@ -18,8 +19,32 @@ layout(std140, binding = BLOCK_PARAMS) uniform SimParams
 #include "generated/sim_params"
 };
 layout(location = LOCATION_SUBSTEP) uniform float substep; // [s]
-layout(location = LOCATION_WIND) uniform float wind;       // [N/m2]
 layout(location = LOCATION_VERTEX_COUNT) uniform int vertex_count;
+#ifdef IN_ONE_GROUP
+// Substeps run in a loop: what others show of their state, from a place on that changes, and the wind of the substep.
+layout(rgba32f, binding = IMAGE_SHOWN_POSITIONS) coherent readonly uniform imageBuffer shown_positions;
+layout(rgba32f, binding = IMAGE_SHOWN_VELOCITIES) coherent readonly uniform imageBuffer shown_velocities;
+int first_shown;
+float wind; // [N/m2]
+vec3 position_of(int vertex)
+{
+    return imageLoad(shown_positions, first_shown + vertex).xyz;
+}
+vec3 velocity_of(int vertex)
+{
+    return imageLoad(shown_velocities, first_shown + vertex).xyz;
+}
+#else
+layout(location = LOCATION_WIND) uniform float wind; // [N/m2]
+vec3 position_of(int vertex)
+{
+    return texelFetch(old_positions, vertex).xyz;
+}
+vec3 velocity_of(int vertex)
+{
+    return texelFetch(old_velocities, vertex).xyz;
+}
+#endif
 
 // The springs of one vertex at x with velocity v; four slots a texel, (quad, vertex) at quad * vertex_count + vertex.
 vec3 spring_forces(int vertex, vec3 x, vec3 v)
@@ -33,11 +58,11 @@ vec3 spring_forces(int vertex, vec3 x, vec3 v)
         vec4 c = stiffness_damping * texelFetch(spring_axial, texel);
 #endif
         for (int k = 0; k < 4; ++k) {
-            vec3 d = texelFetch(old_positions, n[k]).xyz - x;
+            vec3 d = position_of(n[k]) - x;
             precise vec3 with_spring = sum + spring_force(d, s[k], t[k]);
             sum = with_spring;
 #if DAMPED_SPRINGS
-            vec3 u = texelFetch(old_velocities, n[k]).xyz - v;
+            vec3 u = velocity_of(n[k]) - v;
             precise vec3 with_damper = sum + spring_damping_force(d, u, c[k]);
             sum = with_damper;
 #endif

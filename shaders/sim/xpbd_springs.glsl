@@ -1,17 +1,14 @@
-// The coloured springs of xpbd. Defined by the caller: LIMITED (0, 1).
+// A coloured spring of xpbd. Defined by the caller: LIMITED (0, 1).
 #include "shared/bindings.h"
 #include "shared/dialect.glsl"
 #include "shared/vector.h"
 #include "shared/euler.h"
 #include "shared/xpbd.h"
 
-layout(binding = UNIT_ENDS) uniform isamplerBuffer ends;      // two vertices; -1 where nothing is
-layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers; // SpringNumber of solver/xpbd/constraint_colours.h
-
-// Projects a spring whose ends are at a and b (w: inverse mass).
-void project(int spring, inout vec4 a, inout vec4 b)
+// Projects a spring whose ends are at a and b (w: inverse mass); number: SpringNumber of
+// solver/xpbd/constraint_colours.h.
+void project(vec4 number, inout vec4 a, inout vec4 b)
 {
-    vec4 number = texelFetch(numbers, spring);
     precise vec3 d = b.xyz - a.xyz;
 #if LIMITED
     precise float excess = limited_excess(d, number.x, number.z, number.w);

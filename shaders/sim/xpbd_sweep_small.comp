@@ -5,6 +5,8 @@
 #include "sim/xpbd_springs.glsl"
 
 layout(local_size_x = SMALL_GROUP) in;
+layout(binding = UNIT_ENDS) uniform isamplerBuffer ends;      // two vertices; -1 where nothing is
+layout(binding = UNIT_NUMBERS) uniform samplerBuffer numbers; // SpringNumber of solver/xpbd/constraint_colours.h
 layout(binding = UNIT_COLOUR_STARTS) uniform isamplerBuffer colour_starts;
 layout(std430, binding = BLOCK_POSITIONS) buffer Positions { vec4 positions[]; }; // w: inverse mass
 layout(location = LOCATION_VERTEX_COUNT) uniform int vertex_count;
@@ -26,7 +28,7 @@ void main()
         int end = texelFetch(colour_starts, colour + 1).x;
         for (int spring = texelFetch(colour_starts, colour).x + own; spring < end; spring += SMALL_GROUP) {
             ivec2 at = texelFetch(ends, spring).xy;
-            if (at.x >= 0) project(spring, x[at.x], x[at.y]);
+            if (at.x >= 0) project(texelFetch(numbers, spring), x[at.x], x[at.y]);
         }
     }
     memoryBarrierShared();

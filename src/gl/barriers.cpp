@@ -5,7 +5,10 @@
 
 namespace nuno {
 
-void barrier_compute_to_compute() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT); }
+void barrier_compute_to_compute()
+{
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
 
 void barrier_compute_to_draw()
 {

@@ -5,7 +5,8 @@
 
 namespace nuno {
 
-// Kernels wrote storage blocks; later kernels read them as storage blocks or buffer textures, or write them again.
+// Kernels wrote storage blocks; later kernels read them as storage blocks, buffer textures or images, or write them
+// again.
 void barrier_compute_to_compute();
 
 // Kernels wrote storage blocks; later draws read them as vertices, indices, buffer textures or storage blocks.

@@ -68,4 +68,9 @@ void BufferTexture::bind(GLuint unit) const
     glBindTexture(GL_TEXTURE_BUFFER, id_);
 }
 
+void BufferTexture::bind_image(GLuint unit) const
+{
+    glBindImageTexture(unit, id_, 0, GL_FALSE, 0, GL_READ_ONLY, format_);
+}
+
 }  // namespace nuno

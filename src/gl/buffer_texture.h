@@ -22,6 +22,8 @@ class BufferTexture
 
     // Binds it for a samplerBuffer whose binding is `unit`.
     void bind(GLuint unit) const;
+    // Binds it for a readonly imageBuffer whose binding is `unit`: one that reads what the same dispatch writes.
+    void bind_image(GLuint unit) const;
 
   private:
     GLuint id_ = 0;

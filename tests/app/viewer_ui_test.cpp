@@ -261,7 +261,8 @@ TEST_F(ViewerTest, another_scene_is_chosen_from_the_list)
 
 TEST_F(ViewerTest, a_simulation_that_goes_bad_waits_with_advice)
 {
-    ViewerDriver viewer({"seed", "--method", "symplectic_euler", "--set", "substeps=1"});
+    ViewerDriver viewer({"seed", "--method", "symplectic_euler", "--set", "substeps=1", "--paused"});
+    viewer.key("space");
     EXPECT_NE(viewer.wait_for("error (.*)").groups[1].find("no longer finite"), std::string::npos);
     const std::string advice = viewer.wait_for("control (message Use [0-9]+ substeps)").groups[1];
     const ControlPlace button = viewer.control(advice);

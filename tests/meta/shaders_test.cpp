@@ -16,30 +16,35 @@ namespace nuno::meta {
 namespace {
 
 // One grid, with the springs that a grid has and those that a mesh has.
-ClothModel small_cloth(bool as_mesh)
+ClothModel small_cloth(bool as_mesh, bool on_handle)
 {
     SheetSource sheet;
     sheet.name = "cloth";
     sheet.mesh = grid_mesh(4, 4, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
     if (!as_mesh) sheet.columns = sheet.rows = 4;
-    sheet.handle_pins = {{0, 0}};
+    if (on_handle) sheet.handle_pins = {{0, 0}};
     return build_cloth_model(std::span(&sheet, 1), MassLumping::area);
 }
 
 // Compiles all that the program compiles: the kernels of every method, and what draws a picture.
 void compile_everything(const Bodies& bodies, bool as_mesh)
 {
-    const ClothModel model = small_cloth(as_mesh);
+    const ClothModel model = small_cloth(as_mesh, true), on_no_handle = small_cloth(as_mesh, false);
     ThreadPool pool(1);
     for (const MethodInfo& method : method_table()) {
         if (!method.on(Backend::gpu)) continue;
         SimParams params;
         params.method = method.method;
         params.backend = Backend::gpu;
-        for (const Sweep sweep : {Sweep::coloured, Sweep::jacobi}) {
+        for (const Sweep sweep : {Sweep::jacobi, Sweep::coloured}) {
             params.sweep = sweep;
             make_solver(model, bodies, params, pool);
         }
+        // Here small cloths are not taken in one dispatch, or are.
+        SimParams bending = params;
+        bending.bending_warp = bending.bending_weft = bending.bending_bias = 1e-4f;
+        make_solver(model, bodies, bending, pool);
+        make_solver(on_no_handle, bodies, params, pool);
         if (!method.takes_continuum) continue;
         params.internal_model = InternalModel::continuum;
         params.wind_model = WindModel::aero;

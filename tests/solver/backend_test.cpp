@@ -47,12 +47,15 @@ void expect_agreement(ClothSolver& cpu, ClothSolver& gpu, const ClothModel& mode
         EXPECT_LE(glm::distance(glm::vec3(a.positions[v]), glm::vec3(b.positions[v])), 1e-5f) << "vertex " << v;
 }
 
+// 33 x 33 vertices do not fit into one work group, the others do.
 TEST_P(BackendTest, grids_and_meshes_agree_after_1_10_100_and_1000_substeps)
 {
     Bodies bodies;
     bodies.planes.push_back({{0, 1, 0}, -1.2f});
     bodies.spheres.push_back({{0.4f, -0.7f, 0.15f}, 0.25f});
-    for (const SheetSource& source : {square_sheet(17, 1, {0, 16}), square_mesh(17, 1, 64), square_sheet(23, 1)}) {
+    for (const SheetSource& source :
+         {square_sheet(17, 1, {0, 16}), square_mesh(17, 1, 64), square_sheet(23, 1), square_sheet(33, 1, {0})})
+    {
         const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
         SimParams params;
         params.method = GetParam();

@@ -58,11 +58,11 @@ TEST_P(StripWeightsTest, every_spring_is_there_once_with_its_own_stiffness)
             expected[std::minmax(cloth.springs[i].a, cloth.springs[i].b)] += double(weights[i].axial);
 
     const double h = 0.01, inverse_mass = 2;
-    constexpr int projections = 2;
+    constexpr int sweeps = 2;
     const std::vector<float> mobility(layout.lane_floats(), 1.0f);
     StripShareTables tables;
     tables.make(layout, mobility.data(), float(inverse_mass), strip_stiffnesses(cloth, sheet, layout, weights),
-                float(h), projections, 0);
+                float(h), sweeps, 0);
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
     for (int j = 0; j < layout.rows; ++j)
         for (int kind = 0; kind < kStripSpringCount; ++kind)
@@ -79,7 +79,7 @@ TEST_P(StripWeightsTest, every_spring_is_there_once_with_its_own_stiffness)
                     continue;
                 }
                 if (share == 0) continue;
-                const double kept = std::pow(1 - share * 2, projections);
+                const double kept = std::pow(1 - share * 2, sweeps * kStripPasses[std::size_t(kind)]);
                 found[std::minmax(layout.vertex(sheet, i0, j), layout.vertex(sheet, i1, j1))] +=
                     (1 / kept - 1) / (h * h * inverse_mass * 2);
             }

@@ -23,9 +23,50 @@ void shake(ClothState& state, float size)
         if (p.w > 0) p += glm::vec4(at(random), at(random), at(random), 0);
 }
 
-class XpbdTest : public testing::TestWithParam<Sweep>
-{};
-INSTANTIATE_TEST_SUITE_P(Sweeps, XpbdTest, testing::Values(Sweep::rows, Sweep::coloured), kMethodName);
+// Orders of the constraints: rows of a grid, colours of one, and stars of a mesh that is none.
+enum class Order
+{
+    rows,
+    coloured,
+    stars
+};
+
+class XpbdTest : public testing::TestWithParam<Order>
+{
+  protected:
+    static SimParams xpbd()
+    {
+        return on_cpu(Method::xpbd, GetParam() == Order::rows       ? Sweep::rows
+                                    : GetParam() == Order::coloured ? Sweep::coloured
+                                                                    : Sweep::automatic);
+    }
+    // A sheet of columns x rows in cells of this width and height.
+    static ClothModel sheet(int columns, int rows, glm::vec2 cell, std::vector<std::uint32_t> pins, MassLumping lumping)
+    {
+        SheetSource source;
+        source.mesh =
+            grid_mesh(columns, rows, {0, 0, 0}, {cell.x * float(columns - 1), 0, 0}, {0, -cell.y * float(rows - 1), 0});
+        if (GetParam() == Order::stars) {
+            source.mesh = cut_at_random(source.mesh, columns, rows);
+        } else {
+            source.columns = columns;
+            source.rows = rows;
+        }
+        source.pins = std::move(pins);
+        return build_cloth_model(std::span(&source, 1), lumping);
+    }
+    static ClothModel square(int count, float side, std::vector<std::uint32_t> pins = {},
+                             MassLumping lumping = MassLumping::equal)
+    {
+        return sheet(count, count, glm::vec2(side / float(count - 1)), std::move(pins), lumping);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Orders, XpbdTest, testing::Values(Order::rows, Order::coloured, Order::stars),
+                         [](const testing::TestParamInfo<Order>& order) {
+                             return order.param == Order::rows       ? "rows"
+                                    : order.param == Order::coloured ? "coloured"
+                                                                     : "stars";
+                         });
 
 // Two faces whose only stiff spring is the one across their edge. With step s = 2 h / 3, BDF2 of x'' = -k w (x - l0) is
 //     y = (4 x0 - x_last) / 3 + s (4 v0 - v_last) / 3,   x1 - l0 = (y - l0) / (1 + s^2 k w),   v1 = v' + (x1 - y) / s,
@@ -67,14 +108,8 @@ TEST(Xpbd, one_spring_follows_the_second_order_backward_difference)
 TEST_P(XpbdTest, a_short_substep_adds_the_forces_of_springs_and_plates)
 {
     for (const auto& [columns, rows] : {std::pair{10, 10}, {23, 5}, {60, 7}, {3, 40}}) {
-        SheetSource source;
-        source.mesh =
-            grid_mesh(columns, rows, {0, 0, 0}, {0.05f * float(columns - 1), 0, 0}, {0, -0.04f * float(rows - 1), 0});
-        source.columns = columns;
-        source.rows = rows;
-        source.pins = {1};
-        const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::area);
-        SimParams params = on_cpu(Method::xpbd, GetParam());
+        const ClothModel model = sheet(columns, rows, {0.05f, 0.04f}, {1}, MassLumping::area);
+        SimParams params = xpbd();
         params.internal_model = InternalModel::fabric_springs;
         params.warp_stiffness = 30, params.weft_stiffness = 50, params.shear_modulus = 10;
         params.bending_warp = 1e-3f, params.bending_weft = 2e-3f, params.bending_bias = 3e-3f;
@@ -106,8 +141,8 @@ TEST_P(XpbdTest, a_short_substep_adds_the_forces_of_springs_and_plates)
 // g h^2 / 2 off, and leaves half of that.
 TEST_P(XpbdTest, free_fall_is_exact_but_for_the_first_substep)
 {
-    const ClothModel model = square_cloth(20, 1);
-    SimParams params = on_cpu(Method::xpbd, GetParam());
+    const ClothModel model = square(20, 1);
+    SimParams params = xpbd();
     params.damping = 0;
     // So soft that the springs do not answer the rounding of positions.
     params.structural_stiffness = params.shear_stiffness = params.bend_stiffness = 1e-3f;
@@ -123,8 +158,8 @@ TEST_P(XpbdTest, free_fall_is_exact_but_for_the_first_substep)
 
 TEST_P(XpbdTest, momentum_without_outer_forces_is_kept)
 {
-    const ClothModel model = square_cloth(40, 1, {}, MassLumping::area);
-    SimParams params = on_cpu(Method::xpbd, GetParam());
+    const ClothModel model = square(40, 1, {}, MassLumping::area);
+    SimParams params = xpbd();
     params.gravity_y = params.damping = 0;
     params.structural_stiffness = 1e4f;
     params.substeps = 600;
@@ -143,8 +178,8 @@ TEST_P(XpbdTest, no_energy_is_gained_however_stiff_the_springs)
     for (const std::vector<std::uint32_t>& pins :
          {std::vector<std::uint32_t>{}, {0, 47}, {47 * 48, 48 * 48 - 1}, {0, 47 * 48}})
         for (const float stiffness : {10.0f, 1e4f, 1e8f}) {
-            const ClothModel model = square_cloth(48, 1, pins);
-            SimParams params = on_cpu(Method::xpbd, GetParam());
+            const ClothModel model = square(48, 1, pins);
+            SimParams params = xpbd();
             params.gravity_y = params.damping = 0;
             params.structural_stiffness = params.shear_stiffness = stiffness;
             params.bend_stiffness = stiffness / 50;
@@ -172,20 +207,22 @@ std::uint64_t hash_of_run(const ClothModel& model, const SimParams& params, Clot
 
 TEST_P(XpbdTest, threads_and_widths_of_vectors_change_no_bit)
 {
-    const ClothModel model = square_cloth(70, 2, {0, 69}, MassLumping::area);
-    SimParams params = on_cpu(Method::xpbd, GetParam());
+    const ClothModel model = square(70, 2, {0, 69}, MassLumping::area);
+    SimParams params = xpbd();
     params.tethers = Tethers::pins;
     params.structural_stiffness = 1e4f;
     params.bending_warp = params.bending_weft = params.bending_bias = 1e-4f;
-    params.strain_limit = 0.05f;
     params.substeps = 300;
     ClothState start = start_state(model, params);
     shake(start, 1e-3f);
-    const std::uint64_t expected = hash_of_run(model, params, start, 1, 4);
-    for (const int threads : {1, 2, 3})
-        for (int lanes = 4; lanes <= machine_lanes(); lanes *= 2)
-            EXPECT_EQ(hash_of_run(model, params, start, threads, lanes), expected)
-                << threads << " threads, " << lanes << " lanes";
+    for (const float limit : {0.0f, 0.05f}) {
+        params.strain_limit = limit;
+        const std::uint64_t expected = hash_of_run(model, params, start, 1, 4);
+        for (const int threads : {1, 2, 3})
+            for (int lanes = 4; lanes <= machine_lanes(); lanes *= 2)
+                EXPECT_EQ(hash_of_run(model, params, start, threads, lanes), expected)
+                    << threads << " threads, " << lanes << " lanes, limit " << limit;
+    }
 }
 
 TEST(Xpbd, rows_and_colours_hang_the_same_cloth)
@@ -213,8 +250,8 @@ TEST(Xpbd, rows_and_colours_hang_the_same_cloth)
 
 TEST_P(XpbdTest, a_held_vertex_stays_and_its_tethers_follow_it)
 {
-    const ClothModel model = square_cloth(24, 1, {0});
-    SimParams params = on_cpu(Method::xpbd, GetParam());
+    const ClothModel model = square(24, 1, {0});
+    SimParams params = xpbd();
     params.tethers = Tethers::pins;
     params.structural_stiffness = 1e4f;
     params.shear_stiffness = 5e3f;
@@ -246,10 +283,10 @@ TEST_P(XpbdTest, a_held_vertex_stays_and_its_tethers_follow_it)
 
 TEST_P(XpbdTest, a_strain_limit_holds_soft_springs)
 {
-    const ClothModel model = square_cloth(12, 1, {0, 11});
+    const ClothModel model = square(12, 1, {0, 11});
     double stretch[2];
     for (const bool limited : {false, true}) {
-        SimParams params = on_cpu(Method::xpbd, GetParam());
+        SimParams params = xpbd();
         params.structural_stiffness = 20;
         params.shear_stiffness = 10;
         params.strain_limit = limited ? 0.02f : 0;

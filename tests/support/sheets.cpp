@@ -41,4 +41,19 @@ SheetSource square_mesh(int count, float side, std::size_t window)
     return source;
 }
 
+TriangleMesh cut_at_random(TriangleMesh grid, int columns, int rows)
+{
+    std::mt19937 random(5);
+    grid.faces.clear();
+    for (int j = 0; j + 1 < rows; ++j)
+        for (int i = 0; i + 1 < columns; ++i) {
+            const auto a = static_cast<std::uint32_t>(j * columns + i), b = a + 1;
+            const std::uint32_t c = a + static_cast<std::uint32_t>(columns), d = c + 1;
+            const bool falls = random() % 2 == 0;
+            grid.faces.emplace_back(a, c, falls ? d : b);
+            grid.faces.emplace_back(falls ? a : b, falls ? d : c, falls ? b : d);
+        }
+    return grid;
+}
+
 }  // namespace nuno

@@ -17,4 +17,8 @@ ClothModel square_cloth(int count, float side, std::vector<std::uint32_t> pins =
 // 1.
 SheetSource square_mesh(int count, float side, std::size_t window = 1);
 
+// A grid_mesh of so many columns and rows with each cell cut along either diagonal, at random: vertices of 4 to 8
+// neighbours.
+TriangleMesh cut_at_random(TriangleMesh grid, int columns, int rows);
+
 }  // namespace nuno

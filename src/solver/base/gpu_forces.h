@@ -22,6 +22,8 @@ class GpuForces
     // Error where springs do not fit into what this device reads.
     bool refresh(const SimParams& params);
     std::vector<Define> defines() const;
+    // Whether there are forces on faces.
+    bool on_faces() const { return face_forces_.any(); }
     // Binds the textures of springs and faces.
     void bind() const;
     // Where there are forces on faces, computes them for the state bound as what kernels read; leaves another program

@@ -18,11 +18,18 @@ class GpuEuler final : public GpuSolver
 
   private:
     void compile();
+    // Whether one work group takes the whole cloth, substep after substep.
+    bool is_small() const;
+    void run_small(const StepInput& input);
+    void run_substep(const StepInput& input, int k);
 
     const Method method_;
     GpuForces forces_;
     GpuBodies bodies_;
     Program euler_;
+    // Of a small cloth.
+    GpuTable winds_;
+    VertexBuffer shown_positions_, shown_velocities_;  // two a vertex
 };
 
 }  // namespace nuno

@@ -66,7 +66,7 @@ NUNO_BY_LANES(plates, (const ConstraintColours& all, Range batches, float* posit
 }  // namespace
 
 ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, int ends, int number_count,
-                                     std::uint32_t vertex_count)
+                                     std::uint32_t vertex_count, std::span<const std::size_t> least_colours)
     : end_count_(ends), number_count_(number_count)
 {
     const auto end_count = std::size_t(ends);
@@ -74,7 +74,7 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
     std::vector<int> counts, colours;
     for (std::size_t first = 0; first < vertices.size(); first += end_count) {
         const auto own = vertices.subspan(first, end_count);
-        std::size_t colour = 0;
+        std::size_t colour = least_colours.empty() ? 0 : least_colours[first / end_count];
         const auto taken = [&](std::uint32_t v) { return colour < used[v].size() && used[v][colour]; };
         while (std::any_of(own.begin(), own.end(), taken)) ++colour;
         for (const std::uint32_t v : own) {
@@ -103,6 +103,12 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
             places_[slot / kColourBatch * batch_places + k * kColourBatch + slot % kColourBatch] =
                 4 * vertices[n * end_count + k];
     }
+}
+
+std::size_t ConstraintColours::colour(std::size_t constraint) const
+{
+    const auto batch = static_cast<int>(slots_[constraint] / kColourBatch);
+    return std::size_t(std::upper_bound(first_batch_.begin(), first_batch_.end(), batch) - first_batch_.begin()) - 1;
 }
 
 void project_springs(const ConstraintColours& all, Range batches, bool limited, float* positions, int lanes)

@@ -12,7 +12,7 @@ namespace nuno {
 // Constraints in a batch: as many as the widest vectors have lanes.
 inline constexpr int kColourBatch = 16;
 // Places past the last vertex that positions must have room for: what fills up a batch joins these.
-inline constexpr std::uint32_t kSparePlaces = 4 * kColourBatch;
+inline constexpr std::uint32_t kSparePlaces = 8 * kColourBatch;
 
 // Constraints of some vertices, the same number of floats each, by colour and in batches. Batch b has the places of
 // end k of its constraints at ends(b) + k kColourBatch, and number n of each at numbers(b) + n kColourBatch. What fills
@@ -21,14 +21,17 @@ class ConstraintColours
 {
   public:
     // `vertices`: `ends` of every constraint, one after another. Each constraint gets the first colour that none before
-    // it has at one of its vertices. A place among floats is 4 x the vertex.
-    ConstraintColours(std::span<const std::uint32_t> vertices, int ends, int number_count, std::uint32_t vertex_count);
+    // it has at one of its vertices, from its own of `least_colours` on (empty: from 0 on). A place among floats is
+    // 4 x the vertex.
+    ConstraintColours(std::span<const std::uint32_t> vertices, int ends, int number_count, std::uint32_t vertex_count,
+                      std::span<const std::size_t> least_colours = {});
 
     int colour_count() const { return static_cast<int>(first_batch_.size()) - 1; }
     Range batches(int colour) const
     {
         return {first_batch_[std::size_t(colour)], first_batch_[std::size_t(colour) + 1]};
     }
+    std::size_t colour(std::size_t constraint) const;
     float& number(std::size_t constraint, int n)
     {
         const std::size_t slot = slots_[constraint];

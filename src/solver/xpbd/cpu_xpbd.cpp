@@ -27,7 +27,7 @@ CpuXpbd::CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
         if (strips)
             parts_.push_back(std::make_unique<StripSheet>(model, sheet, lanes));
         else
-            parts_.push_back(std::make_unique<MeshSheet>(model, sheet, lanes));
+            parts_.push_back(std::make_unique<MeshSheet>(model, sheet, params.sweep != Sweep::coloured, lanes));
     }
 }
 

@@ -13,8 +13,6 @@
 namespace nuno {
 namespace {
 
-constexpr int kSmallGroup = 128;  // a group of more invocations than a colour of such a cloth has springs idles
-
 // Calls visit(sheet, batch) for every batch, colour by colour, and notes where colours begin.
 template <class Colours, class Visit>
 std::vector<std::int32_t> walk(std::size_t sheet_count, const Colours& colours_of, const Visit& visit)
@@ -40,7 +38,12 @@ std::vector<std::int32_t> walk(std::size_t sheet_count, const Colours& colours_o
 }  // namespace
 
 GpuConstraints::GpuConstraints(const ClothModel& model)
-    : model_(model), springs_(GL_RG32I), plates_(GL_RGBA32I), starts_(GL_R32I)
+    : model_(model),
+      springs_(model.vertex_count()),
+      plate_ends_(GL_RGBA32I),
+      plate_coefficients_(GL_RGBA32F),
+      plate_shares_(GL_R32F),
+      plates_(compute_program("sim/xpbd_plates.comp"))
 {
     for (const Sheet& sheet : model.sheets) {
         sheets_.push_back(std::make_unique<MeshConstraints>(model, sheet));
@@ -48,38 +51,26 @@ GpuConstraints::GpuConstraints(const ClothModel& model)
         for (std::uint32_t v = 0; v < sheet.vertex_count; ++v)
             vertices[sheets_.back()->places()[v]] = static_cast<std::int32_t>(sheet.first_vertex + v);
     }
-    plates_.program = compute_program("sim/xpbd_plates.comp");
-}
-
-void GpuConstraints::compile()
-{
-    const std::vector<Define> defines{{"LIMITED", limited_ ? "1" : "0"},
-                                      {"SMALL_GROUP", std::to_string(kSmallGroup)},
-                                      {"SMALL_VERTICES", std::to_string(kSmallVertices)}};
-    springs_.program = compute_program("sim/xpbd_springs.comp", defines);
-    small_ = compute_program("sim/xpbd_sweep_small.comp", defines);
-    small_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(model_.vertex_count()));
 }
 
 void GpuConstraints::choose(std::span<const SpringWeight> weights, const Numbers& numbers,
                             std::span<const float> inverse_masses)
 {
-    const bool limited = numbers.limit > 0, compiles = springs_.program.id() == 0 || limited != limited_;
-    limited_ = limited;
-    if (compiles) compile();
-    for (std::size_t n = 0; n < sheets_.size(); ++n)
-        sheets_[n]->choose(weights, model_.sheets[n].vertex_count, limited);
+    limited_ = numbers.limit > 0;
+    using Layout = MeshConstraints::Layout;
+    const Layout layout = limited_ ? Layout::limited_springs : Layout::springs;
+    for (std::size_t n = 0; n < sheets_.size(); ++n) sheets_[n]->choose(weights, model_.sheets[n].vertex_count, layout);
     make_numbers(numbers, inverse_masses);
-    upload_springs(true);
     upload_plates(true);
-    starts_.upload(springs_.first);
+    springs_.choose(coloured_springs(), limited_, is_small());
+    upload_spring_numbers();
 }
 
 void GpuConstraints::set_numbers(const Numbers& numbers, std::span<const float> inverse_masses)
 {
     make_numbers(numbers, inverse_masses);
-    upload_springs(false);
     upload_plates(false);
+    upload_spring_numbers();
 }
 
 void GpuConstraints::make_numbers(const Numbers& numbers, std::span<const float> inverse_masses)
@@ -93,23 +84,32 @@ void GpuConstraints::make_numbers(const Numbers& numbers, std::span<const float>
     }
 }
 
-void GpuConstraints::upload_springs(bool with_ends)
+ColouredSprings GpuConstraints::coloured_springs() const
 {
-    std::vector<glm::ivec2> ends;
+    ColouredSprings springs;
+    const auto of = [&](std::size_t sheet) -> const ConstraintColours& { return sheets_[sheet]->springs(); };
+    springs.first = walk(sheets_.size(), of, [&](std::size_t sheet, const ConstraintColours& colours, int batch) {
+        const std::uint32_t* const places = colours.ends(batch);
+        for (int lane = 0; lane < kColourBatch; ++lane)
+            springs.ends.emplace_back(vertices_[sheet][places[lane] / 4],
+                                      vertices_[sheet][places[lane + kColourBatch] / 4]);
+    });
+    return springs;
+}
+
+void GpuConstraints::upload_spring_numbers()
+{
     std::vector<glm::vec4> numbers;
     const auto of = [&](std::size_t sheet) -> const ConstraintColours& { return sheets_[sheet]->springs(); };
-    springs_.first = walk(sheets_.size(), of, [&](std::size_t sheet, const ConstraintColours& colours, int batch) {
-        const std::uint32_t* const places = colours.ends(batch);
+    walk(sheets_.size(), of, [&](std::size_t, const ConstraintColours& colours, int batch) {
         const float* const number = colours.numbers(batch);
         for (int lane = 0; lane < kColourBatch; ++lane) {
-            ends.emplace_back(vertices_[sheet][places[lane] / 4], vertices_[sheet][places[lane + kColourBatch] / 4]);
             glm::vec4& to = numbers.emplace_back(0);
             for (int n = 0; n < (limited_ ? kLimitedSpringNumberCount : kSpringNumberCount); ++n)
                 to[n] = number[n * kColourBatch + lane];
         }
     });
-    if (with_ends) springs_.ends.upload(ends);
-    springs_.numbers.upload(numbers);
+    springs_.set_numbers(numbers);
 }
 
 void GpuConstraints::upload_plates(bool with_ends)
@@ -118,7 +118,7 @@ void GpuConstraints::upload_plates(bool with_ends)
     std::vector<glm::vec4> coefficients;
     std::vector<float> shares;
     const auto of = [&](std::size_t sheet) -> const ConstraintColours& { return sheets_[sheet]->plates(); };
-    plates_.first = walk(sheets_.size(), of, [&](std::size_t sheet, const ConstraintColours& colours, int batch) {
+    first_plate_ = walk(sheets_.size(), of, [&](std::size_t sheet, const ConstraintColours& colours, int batch) {
         for (int lane = 0; lane < kColourBatch; ++lane) {
             glm::ivec4& end = ends.emplace_back();
             glm::vec4& coefficient = coefficients.emplace_back();
@@ -129,58 +129,48 @@ void GpuConstraints::upload_plates(bool with_ends)
             shares.push_back(colours.numbers(batch)[kPlateShare * kColourBatch + lane]);
         }
     });
-    if (with_ends) plates_.ends.upload(ends);
-    plates_.numbers.upload(coefficients);
-    plates_.shares.upload(shares);
+    if (with_ends) plate_ends_.upload(ends);
+    plate_coefficients_.upload(coefficients);
+    plate_shares_.upload(shares);
 }
 
-void GpuConstraints::project(const Kind& kind, std::size_t colour) const
+bool GpuConstraints::is_small() const
 {
-    const std::int32_t first = kind.first[colour], end = kind.first[colour + 1];
-    kind.program.set(LOCATION_FIRST_PLACE, first);
-    kind.program.set(LOCATION_END_PLACE, end);
-    glDispatchCompute(static_cast<GLuint>((end - first + GROUP_SIZE - 1) / GROUP_SIZE), 1, 1);
-    barrier_compute_to_compute();
+    return model_.vertex_count() <= GpuSprings::kSmallVertices && first_plate_.size() == 1;
 }
-
-bool GpuConstraints::is_small() const { return model_.vertex_count() <= kSmallVertices && plates_.first.size() == 1; }
 
 void GpuConstraints::sweep(int pairs) const
 {
-    if (is_small()) return sweep_small(pairs);
-    for (int pair = 0; pair < pairs; ++pair) sweep_pair();
-}
-
-void GpuConstraints::sweep_small(int pairs) const
-{
-    small_.use();
-    small_.set(LOCATION_COLOUR_COUNT, static_cast<std::int32_t>(springs_.first.size() - 1));
-    small_.set(LOCATION_PAIR_COUNT, pairs);
-    springs_.ends.bind(UNIT_ENDS);
-    springs_.numbers.bind(UNIT_NUMBERS);
-    starts_.bind(UNIT_COLOUR_STARTS);
-    glDispatchCompute(1, 1, 1);
-    barrier_compute_to_compute();
-}
-
-void GpuConstraints::sweep_pair() const
-{
-    const auto begin = [](const Kind& kind) {
-        kind.program.use();
-        kind.ends.bind(UNIT_ENDS);
-        kind.numbers.bind(UNIT_NUMBERS);
-        kind.shares.bind(UNIT_SHARES);
-    };
-    const std::size_t springs = springs_.first.size() - 1, plates = plates_.first.size() - 1;
-    begin(springs_);
-    for (std::size_t colour = 0; colour < springs; ++colour) project(springs_, colour);
-    if (plates > 0) {
-        begin(plates_);
-        for (std::size_t colour = 0; colour < plates; ++colour) project(plates_, colour);
-        for (std::size_t colour = plates; colour-- > 0;) project(plates_, colour);
-        begin(springs_);
+    if (is_small()) return springs_.sweep_all(pairs);
+    for (int pair = 0; pair < pairs; ++pair) {
+        if (first_plate_.size() == 1) {
+            springs_.sweep_forth_and_back();
+        } else {
+            springs_.sweep_forth();
+            sweep_plates();
+            springs_.sweep_back();
+        }
     }
-    for (std::size_t colour = springs; colour-- > 0;) project(springs_, colour);
+}
+
+void GpuConstraints::sweep_plates() const
+{
+    plates_.use();
+    plate_ends_.bind(UNIT_ENDS);
+    plate_coefficients_.bind(UNIT_NUMBERS);
+    plate_shares_.bind(UNIT_SHARES);
+    const std::size_t colours = first_plate_.size() - 1;
+    for (std::size_t colour = 0; colour < colours; ++colour) project_plates(colour);
+    for (std::size_t colour = colours; colour-- > 0;) project_plates(colour);
+}
+
+void GpuConstraints::project_plates(std::size_t colour) const
+{
+    const std::int32_t first = first_plate_[colour], end = first_plate_[colour + 1];
+    plates_.set(LOCATION_FIRST_PLACE, first);
+    plates_.set(LOCATION_END_PLACE, end);
+    glDispatchCompute(static_cast<GLuint>((end - first + GROUP_SIZE - 1) / GROUP_SIZE), 1, 1);
+    barrier_compute_to_compute();
 }
 
 }  // namespace nuno

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gl/program.h"
-#include "solver/base/gpu_table.h"
+#include "solver/xpbd/gpu_springs.h"
 #include "solver/xpbd/mesh_constraints.h"
 
 namespace nuno {
@@ -14,9 +14,6 @@ namespace nuno {
 class GpuConstraints
 {
   public:
-    // A cloth of at most so many vertices fits into one work group.
-    static constexpr std::uint32_t kSmallVertices = 1024;
-
     // `model` must outlive it.
     explicit GpuConstraints(const ClothModel& model);
 
@@ -38,30 +35,22 @@ class GpuConstraints
     void sweep(int pairs) const;
 
   private:
-    // Constraints of one kind in the order of their colours.
-    struct Kind
-    {
-        Kind(GLenum ends_format) : ends(ends_format), numbers(GL_RGBA32F), shares(GL_R32F) {}
-        std::vector<std::int32_t> first;  // of each colour, and one past the last
-        GpuTable ends, numbers, shares;
-        Program program;
-    };
-    void compile();
     void make_numbers(const Numbers& numbers, std::span<const float> inverse_masses);
-    void upload_springs(bool with_ends);
+    ColouredSprings coloured_springs() const;
+    void upload_spring_numbers();
     void upload_plates(bool with_ends);
-    void project(const Kind& kind, std::size_t colour) const;
-    void sweep_pair() const;
-    void sweep_small(int pairs) const;
+    void project_plates(std::size_t colour) const;
+    void sweep_plates() const;
     bool is_small() const;
 
     const ClothModel& model_;
     std::vector<std::unique_ptr<MeshConstraints>> sheets_;
     std::vector<std::vector<std::int32_t>> vertices_;  // of each sheet, by place, -1 past the last
     bool limited_ = false;
-    Kind springs_, plates_;
-    Program small_;
-    GpuTable starts_;
+    GpuSprings springs_;
+    std::vector<std::int32_t> first_plate_;  // of each colour, and one past the last
+    GpuTable plate_ends_, plate_coefficients_, plate_shares_;
+    Program plates_;
 };
 
 }  // namespace nuno

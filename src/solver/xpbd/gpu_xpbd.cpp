@@ -1,6 +1,8 @@
 // XPBD in compute shaders.
 #include "solver/xpbd/gpu_xpbd.h"
 
+#include <algorithm>
+
 #include "gl/barriers.h"
 #include "gl/context.h"
 #include "shaders/shared/bindings.h"
@@ -11,16 +13,19 @@ namespace nuno {
 namespace {
 
 // Left to nuno, colours are taken wherever they can be: measured on software they are as fast as all springs at once,
-// or twice as fast (bench/position_bench.cpp). But a hardware device waits for each of some 26 dispatches a substep,
-// where gathering takes 8; so there, between what fits into one work group and what fills the device, all springs are
-// taken at once, which is reasoned, not measured (docs/limits.md).
+// or several times as fast (bench/position_bench.cpp). But a hardware device waits for each dispatch: 13 a substep for
+// grids, whose colours go by fours (spring_quads.h), some 26 for other meshes, where gathering takes 8. So there, for
+// meshes between what fits into one work group and what fills the device, all springs are taken at once, which is
+// reasoned, not measured (docs/limits.md).
 constexpr std::uint32_t kMostForJacobi = 16384;
 
-bool all_at_once(const SimParams& p, std::uint32_t vertex_count)
+bool all_at_once(const SimParams& p, const ClothModel& model)
 {
     if (p.sweep != Sweep::automatic) return p.sweep == Sweep::jacobi;
-    return !gl_info().software && !bends(p) && vertex_count > GpuConstraints::kSmallVertices &&
-           vertex_count <= kMostForJacobi;
+    const bool grids =
+        std::all_of(model.sheets.begin(), model.sheets.end(), [](const Sheet& sheet) { return sheet.is_grid(); });
+    return !gl_info().software && !bends(p) && !grids && model.vertex_count() > GpuSprings::kSmallVertices &&
+           model.vertex_count() <= kMostForJacobi;
 }
 
 }  // namespace
@@ -78,7 +83,7 @@ void GpuXpbd::compile()
 void GpuXpbd::refresh_springs(const SimParams& params)
 {
     const XpbdChanges changes = xpbd_changes(made_for_, params);
-    const bool jacobi = all_at_once(params, vertex_count_), switches = !made_for_ || jacobi != gather_.has_value();
+    const bool jacobi = all_at_once(params, model_), switches = !made_for_ || jacobi != gather_.has_value();
     if (switches) {
         gather_.reset();
         constraints_.reset();

@@ -13,7 +13,15 @@ namespace nuno {
 // Vertices in blocks of this many.
 inline constexpr int kMeshBlock = 16;
 
-// Tethers of every vertex in one slot; anchor_of is where its anchor begins among MeshMotion::anchors.
+// Where the vertex of a run of lane_count vertices is among lanes, when the whole run is loaded at once.
+constexpr std::size_t run_lane(int lane_count, std::size_t vertex)
+{
+    const auto groups = static_cast<std::size_t>(lane_count) / 4;
+    return vertex % groups * 4 + vertex / groups;
+}
+
+// Tethers of every vertex in one slot, in runs of MeshMotion::lanes vertices, by lane (run_lane); anchor_of is where its
+// anchor begins among MeshMotion::anchors.
 struct MeshTethers
 {
     std::vector<std::uint32_t> anchor_of;

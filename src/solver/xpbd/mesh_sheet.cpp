@@ -5,8 +5,8 @@
 
 namespace nuno {
 
-MeshSheet::MeshSheet(const ClothModel& model, const Sheet& sheet, int lanes)
-    : model_(model), sheet_(sheet), lanes_(lanes), constraints_(model, sheet)
+MeshSheet::MeshSheet(const ClothModel& model, const Sheet& sheet, bool in_stars, int lanes)
+    : model_(model), sheet_(sheet), in_stars_(in_stars), lanes_(lanes), constraints_(model, sheet)
 {
     const std::size_t padded = (sheet.vertex_count + kMeshBlock - 1) / kMeshBlock * kMeshBlock;
     positions_.resize(padded + kSparePlaces);
@@ -70,8 +70,10 @@ void MeshSheet::place_tethers(std::span<const Tether> all)
             if (tether.anchor == Tether::kNone) continue;
             const auto [at, added] = known.emplace(tether.anchor, static_cast<std::uint32_t>(anchor_places_.size()));
             if (added) anchor_places_.push_back(static_cast<std::uint32_t>(place(tether.anchor)));
-            to.anchor_of[place(v)] = 4 * at->second;
-            to.lengths[place(v)] = tether.length;
+            const auto lanes = static_cast<std::size_t>(lanes_);
+            const std::size_t slot_place = place(v) / lanes * lanes + run_lane(lanes_, place(v) % lanes);
+            to.anchor_of[slot_place] = 4 * at->second;
+            to.lengths[slot_place] = tether.length;
         }
     }
     if (anchor_places_.empty()) tethers_.clear();
@@ -83,7 +85,11 @@ void MeshSheet::prepare(const XpbdStep& step)
     const XpbdChanges changes = xpbd_changes(made_for_, p);
     const bool limited = p.strain_limit > 0;
     const bool weights_changed = step.weights_changed || !made_for_ || (made_for_->strain_limit > 0) != limited;
-    if (weights_changed) constraints_.choose(step.weights, static_cast<std::uint32_t>(velocities_.size()), limited);
+    if (weights_changed) {
+        using Layout = MeshConstraints::Layout;
+        const Layout layout = limited ? Layout::limited_springs : in_stars_ ? Layout::stars : Layout::springs;
+        constraints_.choose(step.weights, static_cast<std::uint32_t>(velocities_.size()), layout);
+    }
     if (weights_changed || masses_changed_ || changes.shares)
         constraints_.set_numbers(SubstepTimes(p).step, 2 * sweep_pairs(p), p.strain_limit, positions_);
     if (step.tethers_changed) place_tethers(step.tethers);
@@ -113,17 +119,22 @@ void MeshSheet::sweep_pair(const Team& team)
     float* const positions = &positions_[0].x;
     const bool limited = made_for_->strain_limit > 0;
     const ConstraintColours &springs = constraints_.springs(), &plates = constraints_.plates();
-    // Colours of springs, then of plates.
-    const auto sweep = [&](int colour) {
-        if (colour < springs.colour_count())
-            project_springs(springs, team.part(springs.batches(colour)), limited, positions, lanes_);
+    const StarSprings* const stars = constraints_.stars();
+    const int star_colours = stars ? stars->colour_count() : 0, spring_colours = springs.colour_count();
+    // Colours of stars, then of springs, then of plates.
+    const auto sweep = [&](int colour, bool back) {
+        if (colour < star_colours)
+            stars->project(colour, back, positions, lanes_, team);
+        else if (colour - star_colours < spring_colours)
+            project_springs(springs, team.part(springs.batches(colour - star_colours)), limited, positions, lanes_);
         else
-            project_plates(plates, team.part(plates.batches(colour - springs.colour_count())), positions, lanes_);
+            project_plates(plates, team.part(plates.batches(colour - star_colours - spring_colours)), positions,
+                           lanes_);
         team.wait();
     };
-    const int colour_count = springs.colour_count() + plates.colour_count();
-    for (int colour = 0; colour < colour_count; ++colour) sweep(colour);
-    for (int colour = colour_count - 1; colour >= 0; --colour) sweep(colour);
+    const int colour_count = star_colours + spring_colours + plates.colour_count();
+    for (int colour = 0; colour < colour_count; ++colour) sweep(colour, false);
+    for (int colour = colour_count - 1; colour >= 0; --colour) sweep(colour, true);
 }
 
 void MeshSheet::run_thread(const XpbdStep& step, MeshMotion motion, const Team& team)

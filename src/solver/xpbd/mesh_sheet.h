@@ -1,5 +1,5 @@
-// A sheet of any mesh under small-step XPBD: its springs colour by colour, then in the exact reverse (why: see
-// solver/xpbd/strip_sheet.h).
+// A sheet of any mesh under small-step XPBD: its springs, or stars of them, colour by colour, then in the exact reverse
+// (why: see solver/xpbd/strip_sheet.h).
 #pragma once
 
 #include <optional>
@@ -16,8 +16,9 @@ namespace nuno {
 class MeshSheet final : public XpbdPart
 {
   public:
-    // `model` and `sheet` must outlive it; `lanes` as in MeshMotion.
-    MeshSheet(const ClothModel& model, const Sheet& sheet, int lanes);
+    // `model` and `sheet` must outlive it; `lanes` as in MeshMotion. `in_stars`: springs that have no limit are swept in
+    // stars.
+    MeshSheet(const ClothModel& model, const Sheet& sheet, bool in_stars, int lanes);
 
     void upload(const ClothState& state) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
@@ -39,6 +40,7 @@ class MeshSheet final : public XpbdPart
 
     const ClothModel& model_;
     const Sheet& sheet_;
+    const bool in_stars_;
     const int lanes_;
     MeshConstraints constraints_;
 

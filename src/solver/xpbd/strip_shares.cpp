@@ -70,12 +70,12 @@ struct ShareMaker
     const StripLayout& layout;
     const float* mobility;
     double inverse_mass, h;
-    int projections;
+    int sweeps;
 
-    // Of a spring whose ends have these mobilities together.
-    double share(double mobilities, double stiffness) const
+    // Of a spring or plate whose points have these mobilities together, projected `passes` times a sweep.
+    double share(double mobilities, double stiffness, int passes = 1) const
     {
-        return spring_share(mobilities * inverse_mass, stiffness, h, projections) * inverse_mass;
+        return spring_share(mobilities * inverse_mass, stiffness, h, passes * sweeps) * inverse_mass;
     }
 
     // Fills the shares of vector c and tells whether all lanes have the plain one.
@@ -99,7 +99,7 @@ struct ShareMaker
                 (across && (j == 0 || j == layout.rows - 1)) || (down && (i0 == 0 || i0 == layout.columns - 1));
             const float k = rim ? stiffness.rim : stiffness.inside;
             const float w0 = mobility[layout.lane(i0, j)], w1 = mobility[layout.lane(i1, j1)];
-            const double s = share(double(w0) + double(w1), double(k));
+            const double s = share(double(w0) + double(w1), double(k), kStripPasses[static_cast<std::size_t>(spring)]);
             lanes[strip] = static_cast<float>(s * double(w0));
             lanes[kStrips + strip] = static_cast<float>(s * double(w1));
             lanes[2 * kStrips + strip] = static_cast<float>(s > 0 ? 1 / (s * (double(w0) + double(w1))) : 0);
@@ -173,16 +173,17 @@ bool suits_strips(const ClothModel& model, const Sheet& sheet)
 }
 
 void StripShareTables::make(const StripLayout& layout, const float* mobility, float inverse_mass,
-                            const StripStiffnesses& stiffnesses, float h, int projections, float limit)
+                            const StripStiffnesses& stiffnesses, float h, int sweeps, float limit)
 {
-    const ShareMaker maker{layout, mobility, double(inverse_mass), double(h), projections};
+    const ShareMaker maker{layout, mobility, double(inverse_mass), double(h), sweeps};
     for (std::size_t k = 0; k < terms.size(); ++k) {
         const StripStiffness& s = stiffnesses.springs[k];
-        const float share = static_cast<float>(maker.share(2, double(s.inside)));
+        const float share = static_cast<float>(maker.share(2, double(s.inside), kStripPasses[k]));
         terms[k].present = s.inside > 0 || s.rim > 0;
         terms[k].rest_length.fill(s.rest_length);
         terms[k].share.fill(share);
         terms[k].share_length.fill(share * s.rest_length);
+        terms[k].lightness.fill(share * static_cast<float>(kStripPasses[k]));
         terms[k].limit_length.fill(s.rest_length * (1 + limit));
         terms[k].hardness.fill(share > 0 ? 0.5f / share : 0);
     }

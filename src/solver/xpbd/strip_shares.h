@@ -41,15 +41,15 @@ bool suits_strips(const ClothModel& model, const Sheet& sheet);
 StripStiffnesses strip_stiffnesses(const ClothModel& model, const Sheet& sheet, const StripLayout& layout,
                                    std::span<const SpringWeight> weights);
 
-// Shares so that `projections` of a spring alone leave what backward Euler does, alpha / (w_a + w_b + alpha) of its
-// excess, alpha = 1 / (k h^2): each leaves that to the power 1 / projections.
+// Shares so that all projections of a spring alone in `sweeps` sweeps leave what backward Euler does,
+// alpha / (w_a + w_b + alpha) of its excess, alpha = 1 / (k h^2): each leaves that to the power 1 / their number.
 class StripShareTables
 {
   public:
     // mobility: a lane, inverse mass over `inverse_mass` [1/kg], the sheet's own; 0 where held or padding. limit:
     // largest stretch of a spring; 0: none.
     void make(const StripLayout& layout, const float* mobility, float inverse_mass, const StripStiffnesses& stiffnesses,
-              float h, int projections, float limit);
+              float h, int sweeps, float limit);
 
     std::array<StripSpringTerms, kStripSpringCount> terms;
     std::array<bool, kStripPlateCount> has_plate{};

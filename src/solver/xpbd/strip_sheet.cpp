@@ -185,47 +185,39 @@ Range StripSheet::rows_of_no_seam(int block) const
     return {block == 0 ? rows.begin : rows.begin + kReachRows, inner_rows(rows, block + 1 == block_count_).end};
 }
 
-void StripSheet::sweep_blocks(const Work& work, const StripMotion* motion, Range blocks) const
+void StripSheet::sweep_blocks(const Work& work, const StripMotion& motion, MoveRows before, Range blocks) const
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const Range rows = inner_rows(block_rows(block), block + 1 == block_count_);
         for (int end = rows.end; end > rows.begin; end -= kChunkRows) {
             const Range chunk{std::max(end - kChunkRows, rows.begin), end};
-            if (motion) predict_rows(*motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
+            if (before) before(motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
             sweep_rows(work.sweep, chunk);
         }
     }
 }
 
-void StripSheet::sweep_blocks_back(const Work& work, const StripMotion* motion, Range blocks) const
+void StripSheet::sweep_blocks_back(const Work& work, const StripMotion& motion, MoveRows after, Range blocks) const
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const Range rows = inner_rows(block_rows(block), block + 1 == block_count_);
         for (int begin = rows.begin; begin < rows.end; begin += kChunkRows) {
             const Range chunk{begin, std::min(begin + kChunkRows, rows.end)};
             sweep_rows_back(work.sweep, chunk);
-            if (motion) finish_rows(*motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
+            if (after) after(motion, {std::max(chunk.begin, rows_of_no_seam(block).begin), chunk.end});
         }
     }
 }
 
 // The springs of a seam are swept between the blocks on both of its sides, which go on to move it. Lightly once more
 // before all and after all, they end with no more excess than others.
-void StripSheet::start_at_seams(const Work& work, const StripMotion& motion, Range seams) const
+void StripSheet::move_seams(const Work& work, const StripMotion& motion, MoveRows move, Range seams) const
 {
     for (int seam = seams.begin; seam < seams.end; ++seam) {
         const Range rows = seam_rows(seam);
-        predict_rows(motion, {rows.begin, rows.end + kReachRows});
-        sweep_lightly(work.sweep, rows);
-    }
-}
-
-void StripSheet::finish_at_seams(const Work& work, const StripMotion& motion, Range seams) const
-{
-    for (int seam = seams.begin; seam < seams.end; ++seam) {
-        const Range rows = seam_rows(seam);
-        sweep_lightly_back(work.sweep, rows);
-        finish_rows(motion, {rows.begin, rows.end + kReachRows});
+        if (move != predict_rows) sweep_lightly_back(work.sweep, rows);
+        move(motion, {rows.begin, rows.end + kReachRows});
+        if (move != finish_rows) sweep_lightly(work.sweep, rows);
     }
 }
 
@@ -244,32 +236,54 @@ void StripSheet::run_thread(const Work& work, const Team& team)
 {
     const SimParams& p = work.step.input.params;
     const Range blocks = team.part(block_count_), seams = team.part(block_count_ - 1);
-    BodyContacts contacts = work.step.bodies.contacts(0, p);
+    BodyContacts contacts = work.step.bodies.contacts(0, p), last_contacts = contacts;
     StripMotion motion = work.motion;
-    const int first = work.step.first_substep, pairs = sweep_pairs(p);
-    for (int k = first; k < first + work.step.substep_count; ++k) {
+    const auto start = [&](int k) {
         contacts.bodies = work.step.bodies.steps().bodies(k);
         motion.bodies = contacts.bodies.empty() ? nullptr : &contacts;
         motion.common = common_acceleration(p, work.step.input.start_time_s + k * double(motion.times.h));
-        if (!moving_pins_.empty()) {
-            team.wait();
-            if (team.leads()) move_pins(work.step, k);
-            team.wait();
+    };
+    const auto end = [&] {
+        last_contacts.bodies = contacts.bodies;
+        motion.last_bodies = motion.bodies ? &last_contacts : nullptr;
+        motion.last_common = motion.common;
+    };
+
+    const int first = work.step.first_substep, last = first + work.step.substep_count - 1, pairs = sweep_pairs(p);
+    bool started = false;
+    for (int k = first; k <= last; ++k) {
+        if (!started) {
+            if (!moving_pins_.empty()) {
+                team.wait();
+                if (team.leads()) move_pins(work.step, k);
+                team.wait();
+            }
+            start(k);
+            move_seams(work, motion, predict_rows, seams);
         }
-        start_at_seams(work, motion, seams);
+        // Pins move between two substeps.
+        const bool turns = k < last && moving_pins_.empty();
+        const MoveRows finish_or_turn = turns ? turn_rows : finish_rows;
         for (int pair = 0; pair < pairs; ++pair) {
             team.wait();
-            sweep_blocks(work, pair == 0 ? &motion : nullptr, blocks);
+            sweep_blocks(work, motion, pair == 0 && !started ? predict_rows : nullptr, blocks);
             team.wait();
             for (int seam = seams.begin; seam < seams.end; ++seam) {
                 sweep_rows(work.sweep, seam_rows(seam));
                 sweep_rows_back(work.sweep, seam_rows(seam));
             }
             team.wait();
-            sweep_blocks_back(work, pair + 1 == pairs ? &motion : nullptr, blocks);
+            if (pair + 1 < pairs) {
+                sweep_blocks_back(work, motion, nullptr, blocks);
+                continue;
+            }
+            end();
+            if (turns) start(k + 1);
+            sweep_blocks_back(work, motion, finish_or_turn, blocks);
         }
         team.wait();
-        finish_at_seams(work, motion, seams);
+        move_seams(work, motion, finish_or_turn, seams);
+        started = turns;
     }
 }
 
@@ -291,12 +305,13 @@ void StripSheet::step(const XpbdStep& step)
                              .mobility = mobility_.data(),
                              .acceleration = step.accelerations.empty() ? nullptr : accelerations_.data(),
                              .common = {},
+                             .last_common = {},
                              .times = SubstepTimes(p),
                              .tethers = tethers_.slots(),
-                             .contacts = tethers_.contacts(),
                              .anchors = tethers_.anchors(),
                              .bodies = nullptr,
-                             .sticking = sticking_.data(),
+                             .last_bodies = nullptr,
+                             .sticking = p.tethers == Tethers::contacts ? sticking_.data() : nullptr,
                              .lanes = lanes_};
     const StripSweep sweep{.positions = positions_.data(),
                            .layout = &layout_,

@@ -40,6 +40,8 @@ class StripSheet final : public XpbdPart
         StripMotion motion;
         StripSweep sweep;
     };
+    // predict_rows, turn_rows, finish_rows, or null for none of them.
+    using MoveRows = void (*)(const StripMotion& motion, Range rows);
     struct MovingPin
     {
         std::size_t number, place;  // among the model's handle pins; of its x in positions_
@@ -50,10 +52,9 @@ class StripSheet final : public XpbdPart
     void take_masses();
     void move_pins(const XpbdStep& step, int substep);
     void run_thread(const Work& work, const Team& team);
-    void sweep_blocks(const Work& work, const StripMotion* motion, Range blocks) const;
-    void sweep_blocks_back(const Work& work, const StripMotion* motion, Range blocks) const;
-    void start_at_seams(const Work& work, const StripMotion& motion, Range seams) const;
-    void finish_at_seams(const Work& work, const StripMotion& motion, Range seams) const;
+    void sweep_blocks(const Work& work, const StripMotion& motion, MoveRows before, Range blocks) const;
+    void sweep_blocks_back(const Work& work, const StripMotion& motion, MoveRows after, Range blocks) const;
+    void move_seams(const Work& work, const StripMotion& motion, MoveRows move, Range seams) const;
     Range block_rows(int block) const;
     Range seam_rows(int seam) const;
     Range rows_of_no_seam(int block) const;

@@ -41,14 +41,14 @@ struct Kernel : StripLane<kLaneCount>
             return Formulas::spring_pull(d, share, Real(s.share_length.data() + lane));
     }
 
-    // kLightly: times the common share, which is half for stiff springs and less for soft ones.
+    // kLightly: times the lightness, which is half for stiff springs and less for soft ones.
     template <bool kLightly>
     static NUNO_WIDE_INLINE void project_plain(const StripSpringTerms& s, float* a, float* b)
     {
         for (int lane = 0; lane < kStrips; lane += kLaneCount) {
             const Vec3 xa = load(a + lane), xb = load(b + lane), d = xb - xa;
             const Real p = pull(s, d, lane);
-            const Vec3 move = (kLightly ? Real(s.share.data() + lane) * p : p) * d;
+            const Vec3 move = (kLightly ? Real(s.lightness.data() + lane) * p : p) * d;
             store(b + lane, xb - move);
             store(a + lane, xa + move);
         }
@@ -60,7 +60,7 @@ struct Kernel : StripLane<kLaneCount>
         for (int lane = 0; lane < kStrips; lane += kLaneCount) {
             const Vec3 xa = load(a + lane), xb = load(b + lane), d = xb - xa;
             const Real whole = excess(s, d, lane, shares + 2 * kStrips);
-            const Real e = kLightly ? Real(s.share.data() + lane) * whole : whole;
+            const Real e = kLightly ? Real(s.lightness.data() + lane) * whole : whole;
             // A vector in the next strip ends with the first lane of the vector behind it, unchanged. So it is written
             // first, for that may be a's.
             store(b + lane, xb - (Real(shares + kStrips + lane) * e) * d);
@@ -123,12 +123,16 @@ struct Kernel : StripLane<kLaneCount>
 
     // Lightly odd vectors, then even ones, then odd ones: without the first, the even springs, which come last in the
     // reverse, would end without an excess and leave the odd ones twice theirs.
-    template <bool kBack>
+    template <bool kBack, bool kLightly>
     static NUNO_WIDE_INLINE void across(const StripSweep& sweep, const StripRowShares& shares, float* row)
     {
         if constexpr (!kBack) across_phase<kBack, true>(sweep, shares, row, 1);
-        for (int phase = 0; phase < 2; ++phase)
-            across_phase<kBack, false>(sweep, shares, row, kBack ? 1 - phase : phase);
+        if constexpr (kLightly) {
+            across_phase<kBack, true>(sweep, shares, row, 0);
+        } else {
+            for (int phase = 0; phase < 2; ++phase)
+                across_phase<kBack, false>(sweep, shares, row, kBack ? 1 - phase : phase);
+        }
         if constexpr (kBack) across_phase<kBack, true>(sweep, shares, row, 1);
     }
 
@@ -159,17 +163,15 @@ struct Kernel : StripLane<kLaneCount>
         });
     }
 
-    // kLightly: only those that leave the row, lightly.
+    // kLightly: all but those over two columns, lightly.
     template <bool kBack, bool kLightly>
     static NUNO_WIDE_INLINE void springs(const StripSweep& sweep, const StripRowShares& shares, float* at, int j)
     {
         const bool one_more = j + 1 < sweep.layout->rows, two_more = j + 2 < sweep.layout->rows;
         const auto part = [&](StripSpring spring) NUNO_WIDE_LAMBDA {
             if (!sweep.springs[spring].present) return;
-            if constexpr (!kLightly) {
-                if (spring == kAcross) across<kBack>(sweep, shares, at);
-                if (spring == kTwoAcross) two_across<kBack>(sweep, shares, at);
-            }
+            if (spring == kAcross) across<kBack, kLightly>(sweep, shares, at);
+            if (!kLightly && spring == kTwoAcross) two_across<kBack>(sweep, shares, at);
             if (spring == kDown && one_more) between<kBack, kLightly, kDown, 0, 0, 1>(sweep, shares, at);
             if (spring == kDownRight && one_more) between<kBack, kLightly, kDownRight, 0, 1, 1>(sweep, shares, at);
             if (spring == kDownLeft && one_more) between<kBack, kLightly, kDownLeft, 1, 0, 1>(sweep, shares, at);
@@ -214,14 +216,36 @@ struct Kernel : StripLane<kLaneCount>
         for (int k = 0; k < kStripPlateCount; ++k) part(kBack ? kStripPlateCount - 1 - k : k);
     }
 
+    // The second pass (kStripPasses) of the springs down from the row after row j; and from row 0, which is after none.
+    template <bool kBack>
+    static NUNO_WIDE_INLINE void down_again(const StripSweep& sweep, float* at, int j)
+    {
+        const auto down_from = [&](int row) NUNO_WIDE_LAMBDA {
+            if (row + 1 >= sweep.layout->rows) return;
+            between<kBack, false, kDown, 0, 0, 1>(sweep, *sweep.rows[row], at + (row - j) * sweep.layout->row_floats);
+        };
+        if (!sweep.springs[kDown].present) return;
+        if (kBack && j == 0) down_from(0);
+        down_from(j + 1);
+        if (!kBack && j == 0) down_from(0);
+    }
+
     template <bool kBack, bool kLightly>
     static NUNO_WIDE_INLINE void row(const StripSweep& sweep, int j)
     {
         const StripRowShares& shares = *sweep.rows[j];
         float* const at = sweep.positions + static_cast<std::ptrdiff_t>(j) * sweep.layout->row_floats;
-        if constexpr (kBack && !kLightly) plates<kBack>(sweep, shares, at, j);
-        springs<kBack, kLightly>(sweep, shares, at, j);
-        if constexpr (!kBack && !kLightly) plates<kBack>(sweep, shares, at, j);
+        if constexpr (kLightly) {
+            springs<kBack, true>(sweep, shares, at, j);
+        } else if constexpr (kBack) {
+            down_again<kBack>(sweep, at, j);
+            plates<kBack>(sweep, shares, at, j);
+            springs<kBack, false>(sweep, shares, at, j);
+        } else {
+            springs<kBack, false>(sweep, shares, at, j);
+            plates<kBack>(sweep, shares, at, j);
+            down_again<kBack>(sweep, at, j);
+        }
     }
 
     template <bool kLightly>

@@ -21,6 +21,10 @@ enum StripSpring : int
     kStripSpringCount
 };
 
+// How often a sweep projects the springs of a kind. Those down to the next row once more after the row above, which has
+// stretched them again: cloth mostly hangs from its first row, and on these.
+inline constexpr std::array<int, kStripSpringCount> kStripPasses{1, 1, 2, 1, 1, 1};
+
 // Linear plates that a row owns: C = the sum of coefficient x over its points, pulled to 0. After the springs, in this
 // order.
 enum StripPlate : int
@@ -41,6 +45,7 @@ struct StripSpringTerms
     alignas(64) Lanes rest_length{};   // [m]
     alignas(64) Lanes share{};         // of its excess by which each end moves where both have the sheet's own mass
     alignas(64) Lanes share_length{};  // share * rest_length
+    alignas(64) Lanes lightness{};     // of its share that a light projection takes
     alignas(64) Lanes limit_length{};  // where StripSweep::limited: shaders/shared/xpbd.h
     alignas(64) Lanes hardness{};
 };
@@ -75,7 +80,8 @@ struct StripSweep
 void sweep_rows(const StripSweep& sweep, Range rows);
 void sweep_rows_back(const StripSweep& sweep, Range rows);
 
-// The springs that leave these rows downwards, each lightly: for a soft spring less than for a stiff one.
+// The springs that join neighbours in these rows, and those that leave them downwards, each lightly: for a soft spring
+// less than for a stiff one.
 void sweep_lightly(const StripSweep& sweep, Range rows);
 void sweep_lightly_back(const StripSweep& sweep, Range rows);
 

@@ -1,19 +1,28 @@
 // Lays tethers out in strips.
 #include "solver/xpbd/strip_tethers.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace nuno {
 namespace {
 
 constexpr float kNoTether = 1e18f;  // [m]
 
+glm::vec3 position(const StripLayout& layout, const float* positions, int i, int j)
+{
+    const float* const at = positions + layout.vec3(i, j);
+    return {at[0], at[kStrips], at[2 * kStrips]};
+}
+
 }  // namespace
 
 void StripTetherSlots::clear()
 {
     slots_.clear();
-    contacts_.reset();
+    has_contacts_ = false;
     known_.clear();
     places_.clear();
 }
@@ -58,7 +67,10 @@ void StripTetherSlots::set_contacts(const StripLayout& layout, const GridSpacing
         for (int i = 0; i < layout.columns; ++i) marked.push_back(sticking[layout.lane(i, j)] > 0);
     const std::vector<std::uint32_t> nearest = nearest_marked(spacing, marked);
     const auto first_anchor = static_cast<std::uint32_t>(places_.size());
-    StripTethers& slot = contacts_.emplace();
+    if (!has_contacts_) slots_.emplace_back();
+    has_contacts_ = true;
+    StripTethers& slot = slots_.back();
+    slot.anchor_of.clear();
     slot.lengths.assign(layout.lane_floats(), kNoTether);
     anchors_.resize((places_.size() + layout.lane_floats() / kStrips) * kVec3Floats);
     for (int j = 0; j < layout.rows; ++j)
@@ -72,10 +84,10 @@ void StripTetherSlots::set_contacts(const StripLayout& layout, const GridSpacing
                 if (n == kNoneMarked) continue;
                 const int i1 = static_cast<int>(n) % layout.columns, j1 = static_cast<int>(n) / layout.columns;
                 if (i1 == i && j1 == j) continue;
-                slot.lengths[layout.lane(i, j)] =
-                    std::hypot(float(i1 - i) * spacing.dx, float(j1 - j) * spacing.dy) * stretch;
-                for (int axis = 0; axis < 3; ++axis)
-                    anchor[axis * kStrips + strip] = positions[layout.vec3(i1, j1) + std::size_t(axis * kStrips)];
+                const float along = std::hypot(float(i1 - i) * spacing.dx, float(j1 - j) * spacing.dy) * stretch;
+                const glm::vec3 x = position(layout, positions, i, j), at = position(layout, positions, i1, j1);
+                slot.lengths[layout.lane(i, j)] = std::max(along, glm::distance(x, at));
+                for (int axis = 0; axis < 3; ++axis) anchor[axis * kStrips + strip] = at[axis];
             }
         }
 }

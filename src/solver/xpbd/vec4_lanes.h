@@ -31,6 +31,20 @@ struct Vec4Lanes
         return turned(rows<kLaneCount, 0>(positions, index), rows<kLaneCount, 1>(positions, index),
                       rows<kLaneCount, 2>(positions, index), rows<kLaneCount, 3>(positions, index));
     }
+    // The positions of a run, vertex r of it in lane run_lane(kLaneCount, r).
+    static NUNO_WIDE_INLINE WideVec4<kLaneCount> load_run(const float* positions)
+    {
+        Lanes row[4];
+        std::memcpy(row, positions, sizeof row);
+        return turned(row[0], row[1], row[2], row[3]);
+    }
+    static NUNO_WIDE_INLINE void store_run(float* positions, const WideVec4<kLaneCount>& a)
+    {
+        const WideVec4<kLaneCount> back = turned(a.xyz.x.lanes, a.xyz.y.lanes, a.xyz.z.lanes, a.w.lanes);
+        const Lanes row[4] = {back.xyz.x.lanes, back.xyz.y.lanes, back.xyz.z.lanes, back.w.lanes};
+        std::memcpy(positions, row, sizeof row);
+    }
+
     // No place may be named twice.
     static NUNO_WIDE_INLINE void store(float* positions, const std::uint32_t* index, const WideVec4<kLaneCount>& a)
     {
