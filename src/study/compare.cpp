@@ -16,7 +16,7 @@
 namespace nuno {
 namespace {
 
-constexpr int kMostTimedFrames = 10, kLeastTimedFrames = 2;
+constexpr int kMostTimedFrames = 24, kLeastTimedFrames = 4, kFramesATurn = 4;
 constexpr double kTimeForFramesMs = 1500;  // for both backends of one point
 
 double median(std::vector<double> values)
@@ -46,7 +46,8 @@ SimParams on(Backend backend, SimParams params)
     return params;
 }
 
-// Whole frames on both backends in turns: times, and the hashes at the end.
+// Whole frames on both backends, some at a turn, since each leaves the processor's caches and threads to the other: times,
+// and the hashes at the end.
 void time_frames(const Scene& scene, const SimParams& params, ComparePoint& point)
 {
     Simulation cpu(scene, on(Backend::cpu, params)), gpu(scene, on(Backend::gpu, params));
@@ -57,9 +58,9 @@ void time_frames(const Scene& scene, const SimParams& params, ComparePoint& poin
     while (point.timed_frames < kMostTimedFrames &&
            (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < kTimeForFramesMs))
     {
-        cpu_frames.push_back(cpu.advance_frame());
-        gpu_frames.push_back(gpu.advance_frame());
-        ++point.timed_frames;
+        for (int k = 0; k < kFramesATurn; ++k) cpu_frames.push_back(cpu.advance_frame());
+        for (int k = 0; k < kFramesATurn; ++k) gpu_frames.push_back(gpu.advance_frame());
+        point.timed_frames += kFramesATurn;
     }
     point.cpu = cost_of(cpu_frames, point.particles, params.substeps);
     point.gpu = cost_of(gpu_frames, point.particles, params.substeps);
