@@ -1,5 +1,5 @@
-// The load `hang` of hang_bench.cpp in Bullet, at its default of four sweeps a frame and at more: what a packaged engine
-// makes of the same sheet in the same run. Position based, so that its springs have no constant: as stiff as its sweeps
+// The load `hang` of hang_bench.cpp in Bullet, at its default of four sweeps a frame and at more: what a packaged
+// engine makes of the same sheet in the same run. Position based, so that its springs have no constant: as stiff as its sweeps
 // make them, those over two cells half as much.
 #include <benchmark/benchmark.h>
 

@@ -146,7 +146,7 @@ NUNO_HANG(hang, grid, 64, 2, 1);
 NUNO_HANG(hang, grid, 128, 3, 1);
 NUNO_HANG(hang, grid, 256, 5, 1);
 NUNO_HANG(hang, grid, 512, 7, 1);
-// The substeps that are chosen where none are asked for.
+// The substeps of xpbd that are chosen where none are asked for.
 NUNO_HANG(hang, grid, 17, 3, 1);
 NUNO_HANG(hang, grid, 64, 7, 1);
 NUNO_HANG(hang, grid, 128, 11, 1);

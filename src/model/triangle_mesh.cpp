@@ -38,8 +38,9 @@ void check_mesh(const TriangleMesh& mesh, std::string_view where)
             used[v] = true;
         }
         if (!(face_area(mesh, face) > 0))
-            throw Error(fmt::format("{}: face {} (vertices {} {} {}) has no area; remove it or move its corners apart",
-                                    where, f, face.x, face.y, face.z));
+            throw Error(fmt::format(
+                "{}: face {} (vertices {} {} {}, counted from 0) has no area; remove it or move its corners apart",
+                where, f, face.x, face.y, face.z));
     }
     for (std::size_t v = 0; v < used.size(); ++v)
         if (!used[v]) throw Error(fmt::format("{}: vertex {} belongs to no face; remove it", where, v));

@@ -284,8 +284,9 @@ void Simulation::check_not_lost(std::optional<std::uint32_t> vertex, int first_s
 {
     if (!vertex) return;
     throw Error(
-        fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite, or 1000 km away; {}", scene_.name,
-                    frame_ + 1, first_substep + 1, last_substep, *vertex, advice_after_blow_up(*model_, params_)),
+        fmt::format("{}: frame {}, substeps {} to {}: vertex {} is no longer finite, or beyond 1e6 m or m/s; {}",
+                    scene_.name, frame_ + 1, first_substep + 1, last_substep, *vertex,
+                    advice_after_blow_up(*model_, params_)),
         ExitCode::went_bad);
 }
 

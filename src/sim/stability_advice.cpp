@@ -28,9 +28,10 @@ std::optional<std::string> stability_warning(const ClothModel& model, const SimP
     const double limit_s = largest_stable_substep(model, params);
     if (double(substep_s(params)) <= limit_s) return std::nullopt;
     const int substeps = least_stable_substeps(model, params);
-    const std::string advice = substeps > 0
-                                   ? fmt::format("--set substeps={} holds", substeps)
-                                   : std::string("no number of substeps holds; more damping or softer springs would");
+    const std::string advice = substeps > 0 ? fmt::format("--set substeps={} holds", substeps)
+                               : limit_s > 0
+                                   ? "so many substeps a frame cannot be set; more damping or softer springs would hold"
+                                   : "no number of substeps holds; more damping or softer springs would";
     return fmt::format("substep {:.4g} s is longer than the {:.4g} s up to which {} is stable; {}", substep_s(params),
                        limit_s, method_name(params.method), advice);
 }

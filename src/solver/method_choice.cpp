@@ -16,7 +16,7 @@ namespace {
 // Where no number of substeps holds: a membrane stretched beyond measure, a method without damping.
 constexpr int kMostSubsteps = 10000, kSomeSubsteps = 20;
 
-// Between pins that move apart threads are pulled by more than their weight: how many times the substeps that halves it.
+// Between pins that move apart threads are pulled by more than their weight: so many times the substeps halve it.
 constexpr double kPulled = 2;
 
 // How much a membrane may be stretched further within a frame.

@@ -71,15 +71,19 @@ void check(const MethodInfo* info, const SimParams& params)
 {
     const std::string_view method = choice_names(Method{})[std::size_t(params.method)];
     const auto here = [&](const MethodInfo& m) { return m.on(params.backend); };
+    const auto name = [](Backend backend) { return choice_names(Backend{})[std::size_t(backend)]; };
+    const Backend other = params.backend == Backend::cpu ? Backend::gpu : Backend::cpu;
     if (!info || !here(*info))
-        throw Error(fmt::format("method: {} does not run on {}; choose {}", method,
-                                choice_names(Backend{})[std::size_t(params.backend)], choices(here)));
+        throw Error(fmt::format("method: {} does not run on {}; choose {}, or backend {}", method, name(params.backend),
+                                choices(here), name(other)));
     const bool continuum = params.internal_model == InternalModel::continuum, damped = params.stiffness_damping > 0;
     const bool tethered = params.tethers != Tethers::none && params.tethers != Tethers::automatic;
     const bool bounded = tethered || params.strain_limit > 0;
+    // Pins may be what auto has become, with a method that takes them.
+    const bool asked = bounded && (!info->takes_tethers || params.tethers != Tethers::pins || params.strain_limit > 0);
     const std::string others = choices([&](const MethodInfo& m) {
         return here(m) && (m.takes_continuum || !continuum) && (m.takes_dampers || !damped) &&
-               (m.takes_tethers || !bounded);
+               (m.takes_tethers || !asked);
     });
     const std::string or_method = others.empty() ? "" : ", or method " + others;
     if (continuum && !info->takes_continuum)
@@ -88,9 +92,15 @@ void check(const MethodInfo* info, const SimParams& params)
                         method, or_method));
     if (damped && !info->takes_dampers)
         throw Error(fmt::format("stiffness_damping: {} has none; choose 0{}", method, or_method));
-    if (bounded && !info->takes_tethers)
+    if (bounded && !info->takes_tethers) {
+        const auto takes = [&](const MethodInfo& m) { return here(m) && m.takes_tethers; };
+        const std::string or_less =
+            !others.empty() ? or_method
+                            : fmt::format(", or method {} with {}", choices(takes),
+                                          continuum ? "internal_model fabric_springs" : "stiffness_damping 0");
         throw Error(fmt::format("{}: {} has none; choose {}{}", tethered ? "tethers" : "strain_limit", method,
-                                tethered ? "none" : "0", or_method));
+                                tethered ? "none" : "0", or_less));
+    }
 }
 
 // Cloth would be tied to where a body was.

@@ -46,8 +46,8 @@ SimParams on(Backend backend, SimParams params)
     return params;
 }
 
-// Whole frames on both backends, some at a turn, since each leaves the processor's caches and threads to the other: times,
-// and the hashes at the end.
+// Whole frames on both backends, some at a turn, since each leaves the processor's caches and threads to the other:
+// times, and the hashes at the end.
 void time_frames(const Scene& scene, const SimParams& params, ComparePoint& point)
 {
     Simulation cpu(scene, on(Backend::cpu, params)), gpu(scene, on(Backend::gpu, params));

@@ -57,9 +57,10 @@ TEST(BadInput, names_and_values_of_parameters)
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "rk4", "--set", "stiffness_damping=0.01", "--set",
                          "tethers=pins"}),
                 HasSubstr("choose none, or method vbd"));
-    EXPECT_THAT(refusal({"render", "seed", "--no-images", "--method", "rk4", "--set", "internal_model=continuum",
-                         "--set", "tethers=pins"}),
-                HasSubstr("tethers: rk4 has none; choose none\n"));
+    EXPECT_THAT(
+        refusal({"render", "seed", "--no-images", "--method", "rk4", "--set", "internal_model=continuum", "--set",
+                 "tethers=pins"}),
+        HasSubstr("tethers: rk4 has none; choose none, or method xpbd or vbd with internal_model fabric_springs\n"));
     EXPECT_THAT(refusal({"render", "mannequin", "--no-images", "--backend", "cpu", "--set", "tethers=contacts"}),
                 HasSubstr("contacts needs bodies that stand still"));
     EXPECT_THAT(refusal({"render", "seed", "--no-images", "--set", "thickness=-0.01"}), HasSubstr("from 0 to 1 m"));

@@ -61,7 +61,7 @@ TEST(ClothModel, meshes_that_are_no_cloth_are_refused_with_the_element)
     EXPECT_THAT(refusal(s), HasSubstr("face 2 names vertex 99"));
     s = square_sheet(3, 1);
     s.mesh.faces[1] = {0, 1, 2};
-    EXPECT_THAT(refusal(s), HasSubstr("face 1 (vertices 0 1 2) has no area"));
+    EXPECT_THAT(refusal(s), HasSubstr("face 1 (vertices 0 1 2, counted from 0) has no area"));
     s = square_sheet(3, 1);
     s.mesh.positions.emplace_back(5, 5, 5);
     EXPECT_THAT(refusal(s), HasSubstr("vertex 9 belongs to no face"));

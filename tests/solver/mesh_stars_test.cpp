@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "solver/xpbd/mesh_stars.h"
@@ -62,6 +63,38 @@ TEST(MeshStars, of_a_regular_mesh_hold_three_springs_of_four)
     const ClothModel model = build_cloth_model(std::span(&source, 1), MassLumping::equal);
     const Stars found = find_stars(ends_of(model), model.faces, model.vertex_count());
     EXPECT_LT(found.left_over.size(), model.springs.size() * 27 / 100);
+}
+
+// A disk around one vertex puts more stars there than a word has bits.
+TEST(MeshStars, of_one_colour_share_no_vertex)
+{
+    constexpr std::uint32_t around = 126;
+    SheetSource disk;
+    disk.mesh.positions.emplace_back(0, 0, 0);
+    for (const float radius : {1.0f, 2.0f})
+        for (std::uint32_t k = 0; k < around; ++k) {
+            const float angle = 6.2831853f * float(k) / float(around);
+            disk.mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+        }
+    for (std::uint32_t k = 0; k < around; ++k) {
+        const std::uint32_t a = 1 + k, b = 1 + (k + 1) % around;
+        for (const glm::uvec3 face : {glm::uvec3(0, a, b), {a, a + around, b}, {b, a + around, b + around}})
+            disk.mesh.faces.push_back(face);
+    }
+    disk.mesh.uvs.resize(disk.mesh.positions.size());
+    for (const ClothModel& model :
+         {build_cloth_model(std::span(&disk, 1), MassLumping::equal), mesh_of_any_valence(30, 20)})
+    {
+        const Stars found = find_stars(ends_of(model), model.faces, model.vertex_count());
+        const std::vector<std::size_t> colours = colour_stars(found.stars, model.vertex_count());
+        ASSERT_EQ(colours.size(), found.stars.size());
+        std::set<std::pair<std::size_t, std::uint32_t>> seen;
+        for (std::size_t n = 0; n < colours.size(); ++n)
+            for (const std::uint32_t v : found.stars[n].vertices)
+                EXPECT_TRUE(seen.emplace(colours[n], v).second) << "star " << n << ", vertex " << v;
+    }
+    const ClothModel model = build_cloth_model(std::span(&disk, 1), MassLumping::equal);
+    EXPECT_GT(find_stars(ends_of(model), model.faces, model.vertex_count()).stars.size(), 64u);
 }
 
 TEST(MeshStars, leave_a_mesh_too_small_for_them_as_it_is)

@@ -27,14 +27,13 @@ GpuSprings::GpuSprings(std::uint32_t vertex_count)
 
 void GpuSprings::choose(const ColouredSprings& springs, bool limited, bool at_once)
 {
-    const bool compiles = small_.id() == 0 || limited != limited_;
     limited_ = limited;
     at_once_ = at_once;
     if (at_once) {
         colour_count_ = static_cast<std::int32_t>(springs.first.size()) - 1;
         ends_.upload(springs.ends);
         starts_.upload(springs.first);
-        if (compiles) compile_small();
+        compile_small();
         return;
     }
     quads_ = make_spring_quads(springs, vertex_count_);
@@ -64,6 +63,8 @@ void GpuSprings::compile(const Variant& variant)
 
 void GpuSprings::compile_small()
 {
+    if (small_limited_ == limited_) return;
+    small_limited_ = limited_;
     small_ = compute_program("sim/xpbd_sweep_small.comp", {{"LIMITED", limited_ ? "1" : "0"},
                                                            {"SMALL_GROUP", std::to_string(kSmallGroup)},
                                                            {"SMALL_VERTICES", std::to_string(kSmallVertices)}});

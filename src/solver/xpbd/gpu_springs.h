@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -60,6 +61,7 @@ class GpuSprings
     std::int32_t colour_count_ = 0;
     GpuTable ends_, numbers_, starts_;
     Program small_;
+    std::optional<bool> small_limited_;  // what it is compiled for
 };
 
 }  // namespace nuno

@@ -47,11 +47,11 @@ float cotangent(glm::vec3 corner, glm::vec3 a, glm::vec3 b)
     return glm::dot(u, v) / std::max(glm::length(glm::cross(u, v)), 1e-20f);
 }
 
-// The springs that a sweep begins with are the ones that its reverse ends with: they would be left without an excess, and
-// their neighbours with twice theirs. So those of the first colours take less: a stiff one this share less than it would,
-// a soft one, which takes little of its excess anyway, the same. Not so in the colours of a mesh that is no grid, where a
-// spring may be alone. Measured (bench/hang_bench, mesh): largest strain 6.1
-// and 5.0 % at 128 and 256 a side without this, 3.0 and 4.5 % with it.
+// The springs that a sweep begins with are the ones that its reverse ends with: they would be left without an excess,
+// and their neighbours with twice theirs. So those of the first colours take less: a stiff one this share less than it
+// would, a soft one, which takes little of its excess anyway, the same. Not so in the colours of a mesh that is no grid,
+// where a spring may be alone. Measured (bench/hang_bench, mesh): largest strain 6.1 and 5.0 % at 128 and 256 a side
+// without this, 2.9 and 3.9 % with it.
 double share_less(std::size_t colour)
 {
     double less = 0.5;
@@ -229,7 +229,7 @@ void MeshConstraints::set_numbers(float step, int projections, float limit, std:
         springs_->number(in_springs_[n], kSpringShare) = static_cast<float>((1 - less * taken) * share);
         if (!limited_) continue;
         springs_->number(n, kLimitLength) = s.rest_length * (1 + limit);
-        springs_->number(n, kHardness) = share > 0 ? static_cast<float>(1 / (inverse_masses * share)) : 0;
+        springs_->number(n, kHardness) = taken > 0 ? static_cast<float>(1 / ((1 - less * taken) * taken)) : 0;
     }
     for (std::size_t n = 0; n < chosen_plates_.size(); ++n) {
         const Plate& plate = *chosen_plates_[n].plate;

@@ -36,4 +36,7 @@ struct Stars
 // first; those that hold fewer springs than the ring has vertices are not worth it.
 Stars find_stars(std::span<const std::uint32_t> ends, std::span<const glm::uvec3> faces, std::uint32_t vertex_count);
 
+// A colour of each star: the first that no star before it has at one of its vertices.
+std::vector<std::size_t> colour_stars(std::span<const Star> stars, std::uint32_t vertex_count);
+
 }  // namespace nuno

@@ -27,9 +27,12 @@ class VertexSets
     }
     std::int32_t set_of(std::int32_t vertex)
     {
-        std::int32_t& parent = parents_[std::size_t(vertex)];
-        if (parent != vertex) parent = set_of(parent);
-        return parent;
+        for (std::int32_t* parent = &parents_[std::size_t(vertex)]; *parent != vertex;
+             parent = &parents_[std::size_t(vertex)]) {
+            *parent = parents_[std::size_t(*parent)];  // halves the way of those that come after
+            vertex = *parent;
+        }
+        return vertex;
     }
     void unite(std::int32_t a, std::int32_t b) { parents_[std::size_t(set_of(a))] = set_of(b); }
 

@@ -2,7 +2,6 @@
 #include "solver/xpbd/star_springs.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "solver/xpbd/by_lanes.h"
@@ -93,27 +92,12 @@ NUNO_BY_LANES(ring6, (const ConstraintColours& s, Range batches, bool back, floa
 NUNO_BY_LANES(ring7, (const ConstraintColours& s, Range batches, bool back, float* x),
               (run<kLaneCount, 7>(s, batches, back, x)))
 
-// The first colour that no star before has at one of its vertices.
-std::vector<std::size_t> colours_of(std::span<const Star> stars, std::uint32_t vertex_count)
-{
-    std::vector<std::uint64_t> used(vertex_count);  // a bit a colour; a vertex is in fewer stars than that
-    std::vector<std::size_t> colours;
-    for (const Star& star : stars) {
-        std::uint64_t taken = 0;
-        for (const std::uint32_t v : star.vertices) taken |= used[v];
-        const auto colour = std::size_t(std::countr_one(taken));
-        for (const std::uint32_t v : star.vertices) used[v] |= std::uint64_t(1) << colour;
-        colours.push_back(colour);
-    }
-    return colours;
-}
-
 }  // namespace
 
 StarSprings::StarSprings(std::span<const Star> stars, std::size_t spring_count, std::uint32_t vertex_count)
     : places_(spring_count)
 {
-    const std::vector<std::size_t> colours = colours_of(stars, vertex_count);
+    const std::vector<std::size_t> colours = colour_stars(stars, vertex_count);
     for (std::size_t size = 0; size < kSizes; ++size) {
         const int ring = static_cast<int>(size) + Stars::kLeastRing;
         std::vector<std::uint32_t> vertices;

@@ -41,7 +41,8 @@ struct Kernel : StripLane<kLaneCount>
             return Formulas::spring_pull(d, share, Real(s.share_length.data() + lane));
     }
 
-    // kLightly: times the lightness, which is half for stiff springs and less for soft ones.
+    // kLightly: times the lightness, which is half for stiff springs that a sweep projects once, all for those that it
+    // projects twice, and less for soft ones.
     template <bool kLightly>
     static NUNO_WIDE_INLINE void project_plain(const StripSpringTerms& s, float* a, float* b)
     {
