@@ -2,11 +2,14 @@
 #include "core/thread_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "core/stopwatch.h"
 
 namespace nuno {
 namespace {
@@ -14,6 +17,10 @@ namespace {
 // Pauses of some tens of nanoseconds each before a waiting thread gives its core away: long enough for the substep of a
 // neighbour that runs, short enough not to hold up one that does not, because something else has its core.
 constexpr int kSpins = 300;
+
+// Share of a run that its threads may spend waiting, and how many runs are done alone where they wait for more.
+constexpr double kMostWaiting = 0.75;
+constexpr int kLeastRunsAlone = 50, kMostRunsAlone = 1000;
 
 // One turn of a waiting loop: burn a moment while the wait is short, give the core away when it is not.
 void wait_a_moment(int turn)
@@ -95,6 +102,20 @@ void ThreadPool::run(const std::function<void(int)>& body)
     if (const std::exception_ptr error = std::exchange(crew_->error, nullptr)) std::rethrow_exception(error);
 }
 
+bool ThreadPool::is_better_alone()
+{
+    if (runs_alone_ == 0) return false;
+    --runs_alone_;
+    return true;
+}
+
+void ThreadPool::note_run(double waiting_s, double run_s)
+{
+    const bool stood_still = waiting_s > kMostWaiting * run_s;
+    next_runs_alone_ = stood_still ? std::clamp(2 * next_runs_alone_, kLeastRunsAlone, kMostRunsAlone) : 0;
+    runs_alone_ = next_runs_alone_;
+}
+
 void SpinBarrier::arrive_and_wait()
 {
     const int phase = phase_.load(std::memory_order_relaxed);
@@ -103,7 +124,14 @@ void SpinBarrier::arrive_and_wait()
         phase_.store(phase + 1, std::memory_order_release);
         return;
     }
-    for (int turn = 0; phase_.load(std::memory_order_acquire) == phase; ++turn) wait_a_moment(turn);
+    const auto is_over = [&] { return phase_.load(std::memory_order_acquire) != phase; };
+    for (int turn = 0; turn < kSpins; ++turn) {
+        if (is_over()) return;
+        wait_a_moment(turn);
+    }
+    const Stopwatch watch;
+    while (!is_over()) wait_a_moment(kSpins);
+    waiting_ns_.fetch_add(std::lround(1e6 * watch.elapsed_ms()), std::memory_order_relaxed);
 }
 
 Range part_of(int count, int grain, int thread, int thread_count)

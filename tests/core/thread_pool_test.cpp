@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace nuno {
@@ -50,6 +52,38 @@ TEST(ThreadPool, what_a_thread_wrote_before_the_barrier_is_seen_after_it)
         }
     });
     for (const int value : values) EXPECT_EQ(value, kSteps);
+}
+
+TEST(ThreadPool, runs_that_stand_still_are_done_alone_for_a_while_and_longer_each_time)
+{
+    ThreadPool pool(2);
+    const auto alone = [&] {
+        int count = 0;
+        while (pool.is_better_alone()) ++count;
+        return count;
+    };
+    pool.note_run(0.5, 1);
+    EXPECT_EQ(alone(), 0) << "half of the time is not standing still";
+    pool.note_run(0.9, 1);
+    const int first = alone();
+    EXPECT_GT(first, 10);
+    pool.note_run(0.9, 1);
+    EXPECT_EQ(alone(), 2 * first);
+    pool.note_run(0.1, 1);
+    EXPECT_EQ(alone(), 0);
+    pool.note_run(0.9, 1);
+    EXPECT_EQ(alone(), first);
+}
+
+TEST(ThreadPool, the_time_that_threads_wait_at_a_barrier_is_known)
+{
+    SpinBarrier barrier(2);
+    ThreadPool pool(2);
+    pool.run([&](int thread) {
+        if (thread == 1) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        barrier.arrive_and_wait();
+    });
+    EXPECT_GT(barrier.waiting_s(), 0.01);
 }
 
 TEST(ThreadPool, the_parts_cover_everything_once)

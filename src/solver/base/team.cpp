@@ -1,6 +1,8 @@
 // Teams of threads.
 #include "solver/base/team.h"
 
+#include "core/stopwatch.h"
+
 namespace nuno {
 namespace {
 
@@ -23,11 +25,13 @@ int team_size(const ThreadPool& pool, std::uint32_t vertex_count)
 
 void run_team(ThreadPool& pool, int thread_count, const std::function<void(const Team& team)>& body)
 {
-    if (thread_count == 1) return body(Team());
+    if (thread_count == 1 || pool.is_better_alone()) return body(Team());
     SpinBarrier barrier(thread_count);
+    const Stopwatch watch;
     pool.run([&](int thread) {
         if (thread < thread_count) body(Team(thread, thread_count, &barrier));
     });
+    pool.note_run(barrier.waiting_s(), watch.elapsed_ms() / 1000);
 }
 
 }  // namespace nuno
