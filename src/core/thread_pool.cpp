@@ -18,9 +18,10 @@ namespace {
 // neighbour that runs, short enough not to hold up one that does not, because something else has its core.
 constexpr int kSpins = 300;
 
-// Share of a run that its threads may spend waiting, and how many runs are done alone where they wait for more.
+// Share of a run that its threads may spend waiting; where they wait for more, how many times in a row that may be
+// chance, and how many runs are then done alone.
 constexpr double kMostWaiting = 0.75;
-constexpr int kLeastRunsAlone = 50, kMostRunsAlone = 1000;
+constexpr int kRunsByChance = 2, kLeastRunsAlone = 50, kMostRunsAlone = 1000;
 
 // One turn of a waiting loop: burn a moment while the wait is short, give the core away when it is not.
 void wait_a_moment(int turn)
@@ -111,8 +112,9 @@ bool ThreadPool::is_better_alone()
 
 void ThreadPool::note_run(double waiting_s, double run_s)
 {
-    const bool stood_still = waiting_s > kMostWaiting * run_s;
-    next_runs_alone_ = stood_still ? std::clamp(2 * next_runs_alone_, kLeastRunsAlone, kMostRunsAlone) : 0;
+    runs_still_ = waiting_s > kMostWaiting * run_s ? runs_still_ + 1 : 0;
+    const bool crowded = runs_still_ > 0 && (next_runs_alone_ > 0 || runs_still_ > kRunsByChance);
+    next_runs_alone_ = crowded ? std::clamp(2 * next_runs_alone_, kLeastRunsAlone, kMostRunsAlone) : 0;
     runs_alone_ = next_runs_alone_;
 }
 

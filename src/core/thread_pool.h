@@ -24,7 +24,7 @@ class ThreadPool
     void run(const std::function<void(int thread)>& body);
 
     // For runs that wait for one another at a barrier, of which one thread alone makes the same. While another program
-    // holds a core they stand still for most of their time: after a run whose waiting_s says so, the next ones are
+    // holds a core they stand still for most of their time: after some runs whose waiting_s says so, the next ones are
     // better done alone, more of them each time it is found again.
     bool is_better_alone();  // to ask once for every such run
     void note_run(double waiting_s, double run_s);
@@ -32,7 +32,7 @@ class ThreadPool
   private:
     struct Crew;
     std::unique_ptr<Crew> crew_;
-    int runs_alone_ = 0, next_runs_alone_ = 0;
+    int runs_still_ = 0, runs_alone_ = 0, next_runs_alone_ = 0;
 };
 
 // Holds `thread_count` threads until all have arrived. Spins first, since substeps are microseconds apart, then yields.

@@ -64,6 +64,10 @@ TEST(ThreadPool, runs_that_stand_still_are_done_alone_for_a_while_and_longer_eac
     };
     pool.note_run(0.5, 1);
     EXPECT_EQ(alone(), 0) << "half of the time is not standing still";
+    for (int k = 0; k < 2; ++k) {
+        pool.note_run(0.9, 1);
+        EXPECT_EQ(alone(), 0) << "once or twice may be chance";
+    }
     pool.note_run(0.9, 1);
     const int first = alone();
     EXPECT_GT(first, 10);
@@ -71,7 +75,7 @@ TEST(ThreadPool, runs_that_stand_still_are_done_alone_for_a_while_and_longer_eac
     EXPECT_EQ(alone(), 2 * first);
     pool.note_run(0.1, 1);
     EXPECT_EQ(alone(), 0);
-    pool.note_run(0.9, 1);
+    for (int k = 0; k < 3; ++k) pool.note_run(0.9, 1);
     EXPECT_EQ(alone(), first);
 }
 
