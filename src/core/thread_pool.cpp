@@ -103,7 +103,7 @@ void ThreadPool::run(const std::function<void(int)>& body)
     if (const std::exception_ptr error = std::exchange(crew_->error, nullptr)) std::rethrow_exception(error);
 }
 
-bool ThreadPool::is_better_alone()
+bool ThreadPool::take_next_alone()
 {
     if (runs_alone_ == 0) return false;
     --runs_alone_;

@@ -26,7 +26,7 @@ class ThreadPool
     // For runs that wait for one another at a barrier, of which one thread alone makes the same. While another program
     // holds a core they stand still for most of their time: after some runs whose waiting_s says so, the next ones are
     // better done alone, more of them each time it is found again.
-    bool is_better_alone();  // to ask once for every such run
+    bool take_next_alone();  // counts: to call once before every such run
     void note_run(double waiting_s, double run_s);
 
   private:

@@ -59,7 +59,7 @@ TEST(ThreadPool, runs_that_stand_still_are_done_alone_for_a_while_and_longer_eac
     ThreadPool pool(2);
     const auto alone = [&] {
         int count = 0;
-        while (pool.is_better_alone()) ++count;
+        while (pool.take_next_alone()) ++count;
         return count;
     };
     pool.note_run(0.5, 1);

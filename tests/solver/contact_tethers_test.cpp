@@ -52,7 +52,7 @@ TEST(ContactTethers, let_cloth_over_a_ball_come_to_rest)
 }
 
 // Where the cloth hangs straight down from what sticks, tethers reach along it.
-TEST(ContactTethers, hold_cloth_over_a_rail_with_half_of_the_strain)
+TEST(ContactTethers, hold_cloth_over_a_rail_with_less_strain)
 {
     Bodies bodies;
     Capsule& rail = bodies.capsules.emplace_back();

@@ -25,7 +25,7 @@ int team_size(const ThreadPool& pool, std::uint32_t vertex_count)
 
 void run_team(ThreadPool& pool, int thread_count, const std::function<void(const Team& team)>& body)
 {
-    if (thread_count == 1 || pool.is_better_alone()) return body(Team());
+    if (thread_count == 1 || pool.take_next_alone()) return body(Team());
     SpinBarrier barrier(thread_count);
     const Stopwatch watch;
     pool.run([&](int thread) {

@@ -18,8 +18,6 @@ constexpr int kEulerNewtonSteps = 1, kSdirkNewtonSteps = 2;
 // in the last half of 2 s (bench/implicit_bench, accuracy), and a solve takes one cycle or two at any size.
 constexpr double kOwnTolerance = 0.1;
 
-constexpr int kLeastVerticesForThreads = 4096;
-
 // What comes back as it was keeps its digits.
 void put_position(SheetMotion& motion, std::size_t place, const glm::vec3& x)
 {
@@ -142,8 +140,7 @@ void CpuImplicit::step(const StepInput& input)
 {
     refresh(input.params);
     bodies_.plan(input);
-    const int thread_count = model_.vertex_count() < kLeastVerticesForThreads ? 1 : pool_.thread_count();
-    run_team(pool_, thread_count, [&](const Team& team) {
+    run_team(pool_, team_size(pool_, model_.vertex_count()), [&](const Team& team) {
         for (int k = 0; k < input.substep_count; ++k) {
             if (team.leads()) start_pins(k);
             team.wait();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solver/xpbd/by_lanes.h"
+#include "solver/xpbd/first_fit.h"
 #include "solver/xpbd/vec4_lanes.h"
 
 namespace nuno {
@@ -70,17 +71,11 @@ ConstraintColours::ConstraintColours(std::span<const std::uint32_t> vertices, in
     : end_count_(ends), number_count_(number_count)
 {
     const auto end_count = std::size_t(ends);
-    std::vector<std::vector<bool>> used(vertex_count);  // by colour
+    FirstFit fit(vertex_count);
     std::vector<int> counts, colours;
     for (std::size_t first = 0; first < vertices.size(); first += end_count) {
-        const auto own = vertices.subspan(first, end_count);
-        std::size_t colour = least_colours.empty() ? 0 : least_colours[first / end_count];
-        const auto taken = [&](std::uint32_t v) { return colour < used[v].size() && used[v][colour]; };
-        while (std::any_of(own.begin(), own.end(), taken)) ++colour;
-        for (const std::uint32_t v : own) {
-            if (used[v].size() <= colour) used[v].resize(colour + 1);
-            used[v][colour] = true;
-        }
+        const std::size_t least = least_colours.empty() ? 0 : least_colours[first / end_count];
+        const std::size_t colour = fit.colour(vertices.subspan(first, end_count), least);
         if (counts.size() <= colour) counts.resize(colour + 1);
         ++counts[colour];
         colours.push_back(static_cast<int>(colour));

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "solver/xpbd/first_fit.h"
+
 namespace nuno {
 namespace {
 
@@ -130,18 +132,9 @@ Stars find_stars(std::span<const std::uint32_t> ends, std::span<const glm::uvec3
 
 std::vector<std::size_t> colour_stars(std::span<const Star> stars, std::uint32_t vertex_count)
 {
-    std::vector<std::vector<bool>> used(vertex_count);  // by colour
+    FirstFit fit(vertex_count);
     std::vector<std::size_t> colours;
-    for (const Star& star : stars) {
-        std::size_t colour = 0;
-        const auto taken = [&](std::uint32_t v) { return colour < used[v].size() && used[v][colour]; };
-        while (std::any_of(star.vertices.begin(), star.vertices.end(), taken)) ++colour;
-        for (const std::uint32_t v : star.vertices) {
-            if (used[v].size() <= colour) used[v].resize(colour + 1);
-            used[v][colour] = true;
-        }
-        colours.push_back(colour);
-    }
+    for (const Star& star : stars) colours.push_back(fit.colour(star.vertices));
     return colours;
 }
 
