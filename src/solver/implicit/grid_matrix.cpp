@@ -1,6 +1,8 @@
 // Products with the matrix of a grid sheet.
 #include "solver/implicit/grid_matrix.h"
 
+#include "solver/implicit/row_products.h"
+
 namespace nuno {
 namespace {
 
@@ -25,11 +27,6 @@ NUNO_WIDE_INLINE RowVec product_at(const GridMatrix& a, const Field3& p, std::si
         sum = sum + pair_force(a, pair, back, x - row_load(*a.x, back), own - row_load(p, back));
     }
     return sum;
-}
-
-NUNO_WIDE_INLINE RowVec where_free(const GridMatrix& a, std::size_t i, const RowVec& v)
-{
-    return select_positive(row_load(*a.mass, i), v, RowVec{});
 }
 
 NUNO_WIDE_INLINE RowMatrix pair_block(const GridMatrix& a, std::size_t pair, std::size_t k, const RowVec& d)
@@ -67,36 +64,19 @@ NUNO_SIMD_CLONES void invert_diagonal(GridMatrix& a, int row)
 
 NUNO_SIMD_CLONES double apply(const GridMatrix& a, const Field3& p, Field3& q, int row)
 {
-    RowLanes sum{};
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, row);
-        const RowVec y = where_free(a, place, product_at(a, p, place));
-        row_store(q, place, y);
-        sum = sum + row_dot(row_load(p, place), y);
-    }
-    return row_sum(sum);
+    return apply_row(a.rows, *a.mass, p, q, row,
+                     [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, p, place); });
 }
 
 NUNO_SIMD_CLONES void residual(const GridMatrix& a, const Field3& x, const Field3& r, Field3& t, int row)
 {
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, row);
-        row_store(t, place, where_free(a, place, row_load(r, place) - product_at(a, x, place)));
-    }
+    defect_row(a.rows, *a.mass, r, t, row, [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, x, place); });
 }
 
 NUNO_SIMD_CLONES double smooth(const GridMatrix& a, const Field3& x, const Field3& r, Field3& z, int row)
 {
-    RowLanes sum{};
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, row);
-        const RowVec goal = row_load(r, place), defect = goal - product_at(a, x, place);
-        const RowVec step = RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
-        const RowVec y = row_load(x, place) + step;
-        row_store(z, place, y);
-        sum = sum + row_dot(goal, y);
-    }
-    return row_sum(sum);
+    return smooth_row(a.rows, a.inverse_diagonal, x, r, z, row,
+                      [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, x, place); });
 }
 
 NUNO_SIMD_CLONES void smooth_from_zero(const GridMatrix& a, const Field3& r, Field3& z, int row)

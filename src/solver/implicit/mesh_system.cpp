@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "solver/implicit/row_products.h"
 #include "solver/implicit/spring_pairs.h"
 
 namespace nuno {
@@ -110,44 +111,22 @@ NUNO_WIDE_INLINE RowVec product_at(const Matrix& a, const Field3& u, std::size_t
     return sum;
 }
 
-NUNO_WIDE_INLINE RowVec where_free(const Matrix& a, std::size_t i, const RowVec& v)
+NUNO_SIMD_CLONES double mesh_apply(const Matrix& a, const Field3& p, Field3& q, int j)
 {
-    return select_positive(row_load(a.mass, i), v, RowVec{});
+    return apply_row(a.rows, a.mass, p, q, j,
+                     [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, p, place, j); });
 }
 
-NUNO_SIMD_CLONES double apply_row(const Matrix& a, const Field3& p, Field3& q, int j)
+NUNO_SIMD_CLONES void mesh_residual(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
 {
-    RowLanes sum{};
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        const RowVec y = where_free(a, place, product_at(a, p, place, j));
-        row_store(q, place, y);
-        sum = sum + row_dot(row_load(p, place), y);
-    }
-    return row_sum(sum);
+    defect_row(a.rows, a.mass, r, to, j,
+               [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, u, place, j); });
 }
 
-// to = r - A u; to may be r.
-NUNO_SIMD_CLONES void defect_row(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
+NUNO_SIMD_CLONES double mesh_smooth(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
 {
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        row_store(to, place, where_free(a, place, row_load(r, place) - product_at(a, u, place, j)));
-    }
-}
-
-// to = u + w D^-1 (r - A u); returns r . to.
-NUNO_SIMD_CLONES double smooth_row(const Matrix& a, const Field3& u, const Field3& r, Field3& to, int j)
-{
-    RowLanes sum{};
-    for (int i = 0; i < a.rows.width; i += kRowLanes) {
-        const std::size_t place = a.rows.at(i, j);
-        const RowVec goal = row_load(r, place), defect = goal - product_at(a, u, place, j);
-        const RowVec y = row_load(u, place) + RowLanes(kJacobiWeight) * (row_load(a.inverse_diagonal, place) * defect);
-        row_store(to, place, y);
-        sum = sum + row_dot(goal, y);
-    }
-    return row_sum(sum);
+    return smooth_row(a.rows, a.inverse_diagonal, u, r, to, j,
+                      [&](std::size_t place) NUNO_WIDE_LAMBDA { return product_at(a, u, place, j); });
 }
 
 // to = weight D^-1 r; returns r . to.
@@ -284,12 +263,12 @@ double MeshSystem::step_energy(const SheetMotion& from, const SheetMotion& to, c
 
 double MeshSystem::apply(const Field3& p, Field3& q, int row) const
 {
-    return apply_row({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, q, row);
+    return mesh_apply({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, q, row);
 }
 
 void MeshSystem::subtract(const Field3& p, Field3& r, int row) const
 {
-    defect_row({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, r, r, row);
+    mesh_residual({rows_, pairs_, mass_, x_, inverse_diagonal_}, p, r, r, row);
 }
 
 void MeshSystem::precondition(const Field3& r, Field3& z, Field3& t, std::span<double> row_dots, const Team& team)
@@ -301,10 +280,10 @@ void MeshSystem::precondition(const Field3& r, Field3& z, Field3& t, std::span<d
     }
     for_rows(rows_, team, [&](int j) { scale_row(a, kJacobiWeight, r, t, j); });
     team.wait();
-    for_rows(rows_, team, [&](int j) { defect_row(a, t, r, z, j); });
+    for_rows(rows_, team, [&](int j) { mesh_residual(a, t, r, z, j); });
     team.wait();
     overlay_->correct(mass_, z, t, rows_, team);
-    for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = smooth_row(a, t, r, z, j); });
+    for_rows(rows_, team, [&](int j) { row_dots[std::size_t(j)] = mesh_smooth(a, t, r, z, j); });
 }
 
 }  // namespace nuno
