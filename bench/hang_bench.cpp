@@ -156,6 +156,8 @@ NUNO_HANG(hang, grid, 256, 17, 2);
 NUNO_HANG(hang, grid, 512, 7, 2);
 NUNO_HANG(hang, shuffled, 128, 3, 1);
 NUNO_HANG(hang, shuffled, 256, 5, 1);
+// As many substeps for a grid and a mesh.
+NUNO_HANG(hang, grid, 128, 4, 1);
 NUNO_HANG(hang, mesh, 128, 4, 1);
 NUNO_HANG(hang, mesh, 256, 6, 1);
 NUNO_HANG(swing, grid, 128, 8, 1);
