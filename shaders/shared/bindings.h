@@ -77,8 +77,8 @@
 #define BLOCK_GIVEN_VELOCITIES 6
 #define LOCATION_COMMON 11
 #define LOCATION_STEP 12
-#define LOCATION_PER_STEP 12
 #define LOCATION_KEEP 13
+#define LOCATION_PER_STEP 14
 #define LOCATION_ALL 11
 #define LOCATION_GRAVITY 12
 
@@ -86,15 +86,21 @@
 #define UNIT_ENDS 16
 #define UNIT_NUMBERS 17
 #define UNIT_SHARES 18
-#define UNIT_COLOUR_STARTS 18
 #define UNIT_PULL 17
 #define UNIT_PULL_LENGTH 18
 #define UNIT_LIMIT_PULL 19
 #define UNIT_LIMIT_PULL_LENGTH 20
 #define LOCATION_PLACE_COUNT 12
 #define LOCATION_FIRST_SIDES 13
-#define LOCATION_COLOUR_COUNT 11
-#define LOCATION_PAIR_COUNT 12
+
+// Of xpbd on a small cloth, beside those of Euler.
+#define UNIT_COMMON 10
+#define UNIT_QUAD_GROUPS 11
+#define IMAGE_STATE 0
+#define BLOCK_STATE 3
+#define LOCATION_PAIR_COUNT 15
+#define LOCATION_FIRST_SIDE 16
+#define LOCATION_GROUP_COUNT 17
 
 // Texels of a BodyStep (src/model/body_steps.h), and numbers ahead of the values of each grid there.
 #define BODY_TEXELS 8

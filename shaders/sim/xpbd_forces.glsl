@@ -1,5 +1,9 @@
 // What accelerates a vertex of xpbd beside its constraints. Include after sim/forces.glsl.
+#ifdef IN_ONE_GROUP
+vec3 common_acceleration; // [m/s2] of every vertex, in this substep
+#else
 layout(location = LOCATION_COMMON) uniform vec3 common_acceleration; // [m/s2] of every vertex
+#endif
 
 vec3 free_acceleration(int vertex, float inverse_mass)
 {

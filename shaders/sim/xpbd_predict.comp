@@ -1,13 +1,7 @@
 #version 430 core
-// The beginning of a substep of xpbd: motion without springs, contact with bodies, tethers; as
-// src/solver/xpbd/mesh_motion.cpp has it. One invocation a vertex.
-// Defined by the caller: what sim/forces.glsl, sim/bodies.glsl and sim/tethers.glsl need.
-#include "shared/dialect.glsl"
-#include "sim/forces.glsl"
-#include "shared/euler.h"
-#include "sim/bodies.glsl"
-#include "sim/xpbd_forces.glsl"
-#include "shared/xpbd.h"
+// The beginning of a substep of xpbd: motion without springs, contact with bodies, tethers. One invocation a vertex.
+// Defined by the caller: what sim/xpbd_motion.glsl and sim/tethers.glsl need.
+#include "sim/xpbd_motion.glsl"
 #include "sim/tethers.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -15,8 +9,6 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(std430, binding = BLOCK_POSITIONS) buffer NewPositions { vec4 new_positions[]; };
 layout(std430, binding = BLOCK_VELOCITIES) buffer NewVelocities { vec4 new_velocities[]; };
 layout(std430, binding = BLOCK_XPBD_PREDICTED) writeonly buffer Predicted { vec4 predicted[]; };
-layout(location = LOCATION_STEP) uniform float step_s;
-layout(location = LOCATION_KEEP) uniform float keep;
 
 void main()
 {
@@ -24,12 +16,11 @@ void main()
     if (vertex >= vertex_count) return;
     vec4 position = texelFetch(old_positions, vertex);
     vec4 velocity = texelFetch(old_velocities, vertex);
-    vec3 x = position.xyz;
-    Motion start = motion(x, velocity.xyz);
+    Motion start = motion(position.xyz, velocity.xyz);
     Motion last = motion(new_positions[vertex].xyz, new_velocities[vertex].xyz);
-    Motion m = predicted_motion(start, last, free_acceleration(vertex, position.w), keep, step_s);
-    m = select_motion(position.w, push_out_of_bodies(x, m).motion, start);
+    Motion m = motion_without_springs(vertex, position.w, start, last);
     new_velocities[vertex] = vec4(m.velocity, velocity.w);
     predicted[vertex] = vec4(m.position, position.w);
-    new_positions[vertex] = vec4(select_positive(position.w, within_tethers(vertex, m.position), x), position.w);
+    vec3 held = within_tethers(vertex, m.position);
+    new_positions[vertex] = vec4(select_positive(position.w, held, position.xyz), position.w);
 }

@@ -1,9 +1,4 @@
-// A coloured spring of xpbd. Defined by the caller: LIMITED (0, 1).
-#include "shared/bindings.h"
-#include "shared/dialect.glsl"
-#include "shared/vector.h"
-#include "shared/euler.h"
-#include "shared/xpbd.h"
+// A coloured spring of xpbd. Defined by the caller: LIMITED (0, 1). Include after shared/xpbd.h.
 
 // Projects a spring whose ends are at a and b (w: inverse mass); number: SpringNumber of
 // solver/xpbd/constraint_colours.h.

@@ -56,4 +56,13 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const
                        bytes.data());
 }
 
+void Buffer::copy_to(std::size_t offset, const Buffer& to, std::size_t to_offset, std::size_t bytes) const
+{
+    assert(offset + bytes <= bytes_ && to_offset + bytes <= to.bytes_);
+    glBindBuffer(GL_COPY_READ_BUFFER, id_);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, to.id_);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset),
+                        static_cast<GLintptr>(to_offset), static_cast<GLsizeiptr>(bytes));
+}
+
 }  // namespace nuno

@@ -39,6 +39,10 @@ class Buffer
         read(offset, std::as_writable_bytes(values));
     }
 
+    // Copies `bytes` bytes from `offset` on to `to`, another buffer, on the device. After kernels wrote either:
+    // barrier_compute_to_upload first.
+    void copy_to(std::size_t offset, const Buffer& to, std::size_t to_offset, std::size_t bytes) const;
+
     // Binds the whole buffer to a numbered block: GL_SHADER_STORAGE_BUFFER or GL_UNIFORM_BUFFER.
     void bind_block(GLenum target, GLuint binding) const { glBindBufferBase(target, binding, id_); }
 

@@ -39,6 +39,15 @@ TEST_F(BufferTest, an_update_replaces_only_its_own_part)
     EXPECT_EQ(back, (std::vector<float>{0.5f, 1.5f, 2.5f, 3.5f, -1.0f, -2.0f, 6.5f, 7.5f}));
 }
 
+TEST_F(BufferTest, a_copy_takes_a_part_to_its_place)
+{
+    const Buffer from = make_buffer(counting(8), GL_DYNAMIC_DRAW), to = make_buffer(counting(6), GL_DYNAMIC_DRAW);
+    from.copy_to(5 * sizeof(float), to, sizeof(float), 2 * sizeof(float));
+    std::vector<float> back(6);
+    to.read(0, std::span(back));
+    EXPECT_EQ(back, (std::vector<float>{0.5f, 5.5f, 6.5f, 3.5f, 4.5f, 5.5f}));
+}
+
 TEST_F(BufferTest, one_word_and_no_word_are_sizes_like_others)
 {
     const Buffer word = make_buffer(std::vector<float>{3.0f}, GL_STATIC_DRAW);

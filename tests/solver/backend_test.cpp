@@ -47,7 +47,7 @@ void expect_agreement(ClothSolver& cpu, ClothSolver& gpu, const ClothModel& mode
         EXPECT_LE(glm::distance(glm::vec3(a.positions[v]), glm::vec3(b.positions[v])), 1e-5f) << "vertex " << v;
 }
 
-// 33 x 33 vertices do not fit into one work group, the others do.
+// 33 x 33 vertices do not fit into the one work group of Euler, the others do.
 TEST_P(BackendTest, grids_and_meshes_agree_after_1_10_100_and_1000_substeps)
 {
     Bodies bodies;

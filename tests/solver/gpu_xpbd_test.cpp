@@ -64,16 +64,34 @@ void run_frames(ClothSolver& solver, const SimParams& params, int first_frame, i
         solver.step({params, frame / double(params.frame_rate), params.substeps});
 }
 
-// 17 x 17 fits into one work group, 40 x 40 does not.
+// 64 x 64 is the most that fits into one work group.
 TEST_P(GpuPositionTest, small_and_large_sheets_with_tethers_and_several_iterations_agree)
 {
-    for (const int count : {17, 40})
+    for (const int count : {17, 64, 65})
         for (const int iterations : {0, 3}) {
             params_.iterations = iterations;
             const ClothModel model = square_cloth(count, 1, {0, static_cast<std::uint32_t>(count - 1)});
+            SCOPED_TRACE(count);
             expect_agreement(model, kNoBodies,
-                             [](ClothSolver& solver, SimParams& params) { run_frames(solver, params, 0, 20); });
+                             [](ClothSolver& solver, SimParams& params) { run_frames(solver, params, 0, 15); });
         }
+}
+
+// More than one dispatch of one work group does: many substeps, and many sweeps in each.
+TEST_P(GpuPositionTest, much_work_in_one_step_agrees)
+{
+    struct Work
+    {
+        int count, substeps, iterations;
+    };
+    for (const Work work : {Work{17, 601, 1}, {45, 401, 1}, {64, 2, 400}}) {
+        SCOPED_TRACE(work.count);
+        params_.substeps = work.substeps;
+        params_.iterations = work.iterations;
+        const ClothModel model = square_cloth(work.count, 1, {0});
+        expect_agreement(model, kNoBodies,
+                         [](ClothSolver& solver, SimParams& params) { run_frames(solver, params, 0, 1); });
+    }
 }
 
 TEST_P(GpuPositionTest, several_sheets_with_bending_limit_and_moving_air_agree)
@@ -178,6 +196,38 @@ TEST(GpuXpbd, bending_and_another_sweep_can_come_while_it_runs)
     // A free fall, of second order in the substep.
     EXPECT_NEAR(start - state.positions[0].y, 9.81f * time_s * time_s / 2, 0.01f);
     for (const std::string& error : take_gl_errors()) ADD_FAILURE() << error;
+}
+
+// Beside a large sheet, the small one is not taken by one work group.
+TEST(GpuXpbd, a_small_sheet_moves_alone_as_it_does_beside_a_large_one)
+{
+    const std::unique_ptr<Context> context = make_headless_context();
+    const std::vector<SheetSource> sources{square_sheet(20, 1, {0, 19}), square_sheet(62, 1, {0})};
+    Bodies bodies;
+    bodies.spheres.push_back({{0.4f, -0.6f, 0.1f}, 0.2f});
+    SimParams params;
+    params.method = Method::xpbd;
+    params.sweep = Sweep::coloured;
+    params.backend = Backend::gpu;
+    params.tethers = Tethers::pins;
+    params.substeps = 6;
+    params.structural_stiffness = 2000;
+    params.strain_limit = 0.02f;
+    ThreadPool pool(2);
+    std::vector<ClothState> states;
+    for (const std::size_t sheet_count : {1u, 2u}) {
+        const ClothModel model = build_cloth_model(std::span(sources).first(sheet_count), MassLumping::area);
+        const auto solver = make_solver(model, bodies, params, pool);
+        solver->upload(start_state(model, params));
+        run_frames(*solver, params, 0, 15);
+        states.push_back(state_of(*solver, model));
+    }
+    const std::size_t vertex_count = states[0].positions.size();
+    EXPECT_EQ(vertex_count, 400u);
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+        ASSERT_EQ(states[0].positions[v], states[1].positions[v]) << "vertex " << v;
+        ASSERT_EQ(states[0].velocities[v], states[1].velocities[v]) << "vertex " << v;
+    }
 }
 
 TEST(GpuXpbd, refuses_an_order_that_only_the_cpu_has_and_lists_its_own)

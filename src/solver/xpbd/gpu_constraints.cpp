@@ -62,7 +62,7 @@ void GpuConstraints::choose(std::span<const SpringWeight> weights, const Numbers
     for (std::size_t n = 0; n < sheets_.size(); ++n) sheets_[n]->choose(weights, model_.sheets[n].vertex_count, layout);
     make_numbers(numbers, inverse_masses);
     upload_plates(true);
-    springs_.choose(coloured_springs(), limited_, is_small());
+    springs_.choose(coloured_springs(), limited_, fit_one_group());
     upload_spring_numbers();
 }
 
@@ -134,14 +134,13 @@ void GpuConstraints::upload_plates(bool with_ends)
     plate_shares_.upload(shares);
 }
 
-bool GpuConstraints::is_small() const
+bool GpuConstraints::fit_one_group() const
 {
     return model_.vertex_count() <= GpuSprings::kSmallVertices && first_plate_.size() == 1;
 }
 
 void GpuConstraints::sweep(int pairs) const
 {
-    if (is_small()) return springs_.sweep_all(pairs);
     for (int pair = 0; pair < pairs; ++pair) {
         if (first_plate_.size() == 1) {
             springs_.sweep_forth_and_back();

@@ -31,8 +31,13 @@ class GpuConstraints
     void set_numbers(const Numbers& numbers, std::span<const float> inverse_masses);
 
     // `pairs` times: every colour once, and once more in the exact reverse, in the positions bound as read and as
-    // written. A cloth without plates that fits into one work group is swept by it in one dispatch.
+    // written.
     void sweep(int pairs) const;
+
+    // Whether they are to be swept by one work group, which takes them from springs(), instead: a small cloth without
+    // plates.
+    bool fit_one_group() const;
+    const GpuSprings& springs() const { return springs_; }
 
   private:
     void make_numbers(const Numbers& numbers, std::span<const float> inverse_masses);
@@ -41,7 +46,6 @@ class GpuConstraints
     void upload_plates(bool with_ends);
     void project_plates(std::size_t colour) const;
     void sweep_plates() const;
-    bool is_small() const;
 
     const ClothModel& model_;
     std::vector<std::unique_ptr<MeshConstraints>> sheets_;

@@ -1,9 +1,8 @@
-// The coloured springs of xpbd in compute shaders: a dispatch for every few colours, or one for all of a small cloth.
+// The coloured springs of xpbd in compute shaders: a dispatch for every few colours.
 #pragma once
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <tuple>
 
@@ -17,12 +16,12 @@ class GpuSprings
 {
   public:
     // A cloth of at most so many vertices fits into one work group.
-    static constexpr std::uint32_t kSmallVertices = 1024;
+    static constexpr std::uint32_t kSmallVertices = 4096;
 
     explicit GpuSprings(std::uint32_t vertex_count);
 
-    // Other springs, with numbers left to set; `limited`: they will have a limit; `at_once`: only sweep_all will be
-    // called, of a small cloth, else only the others. Error where they do not fit into what this device reads.
+    // Other springs, with numbers left to set; `limited`: they will have a limit; `at_once`: only a kernel that takes
+    // all groups will sweep them. Error where they do not fit into what this device reads.
     void choose(const ColouredSprings& springs, bool limited, bool at_once);
     // SpringNumber of solver/xpbd/constraint_colours.h, one vec4 a spring.
     void set_numbers(std::span<const glm::vec4> numbers);
@@ -33,8 +32,11 @@ class GpuSprings
     void sweep_back() const;
     void sweep_forth_and_back() const;
 
-    // So often forth and back in one dispatch.
-    void sweep_all(int pairs) const;
+    // For a kernel that takes all groups: binds them, and says how many there are.
+    std::int32_t bind_groups() const;
+    const std::vector<QuadGroup>& groups() const { return quads_.groups; }
+    int most_colours() const;  // of a group
+    bool limited() const { return limited_; }
 
   private:
     enum class Way : std::uint8_t
@@ -47,21 +49,15 @@ class GpuSprings
     using Variant = std::tuple<bool, int, Way>;
     Variant variant(const QuadGroup& group, Way way) const;
     void compile(const Variant& variant);
-    void compile_small();
     void bind() const;
     void project(const QuadGroup& group, Way way) const;
 
     const std::uint32_t vertex_count_;
-    bool limited_ = false, at_once_ = false;
+    bool limited_ = false;
     SpringQuads quads_;
-    GpuTable corners_, lengths_, limits_;  // of quads: vertices; length and share of both sides, limit and hardness
+    // Of quads: their groups; vertices; length and share of both sides, limit and hardness.
+    GpuTable groups_, corners_, lengths_, limits_;
     std::map<Variant, Program> programs_;
-
-    // At once: springs by colour.
-    std::int32_t colour_count_ = 0;
-    GpuTable ends_, numbers_, starts_;
-    Program small_;
-    std::optional<bool> small_limited_;  // what it is compiled for
 };
 
 }  // namespace nuno

@@ -41,6 +41,7 @@ GpuXpbd::GpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams&
       given_(vertex_count_ * sizeof(glm::vec4), nullptr, GL_DYNAMIC_DRAW),
       forget_(compute_program("sim/xpbd_forget.comp"))
 {
+    if (vertex_count_ <= GpuSprings::kSmallVertices) one_group_.emplace(vertex_count_);
     refresh(params);
 }
 
@@ -74,13 +75,20 @@ void GpuXpbd::set_vertex(std::uint32_t vertex, glm::vec4 position)
     velocities_[1 - current_].buffer.update(vertex * sizeof v, std::as_bytes(std::span(&v, 1)));
 }
 
-void GpuXpbd::compile()
+void GpuXpbd::compile(bool new_motion, bool new_springs)
 {
-    predict_ = gpu_program("sim/xpbd_predict.comp", {forces_.defines(), bodies_.defines(), tethers_.defines()});
-    finish_ = gpu_program("sim/xpbd_finish.comp", {forces_.defines(), bodies_.defines()});
+    std::vector<Define> motion = forces_.defines();
+    for (const std::vector<Define>& more : {bodies_.defines(), tethers_.defines()})
+        motion.insert(motion.end(), more.begin(), more.end());
+    if (new_motion) {
+        predict_ = gpu_program("sim/xpbd_predict.comp", {motion});
+        finish_ = gpu_program("sim/xpbd_finish.comp", {motion});
+    }
+    if ((new_motion || new_springs) && constraints_ && constraints_->fit_one_group())
+        one_group_->compile(constraints_->springs(), motion);
 }
 
-void GpuXpbd::refresh_springs(const SimParams& params)
+bool GpuXpbd::refresh_springs(const SimParams& params)
 {
     const XpbdChanges changes = xpbd_changes(made_for_, params);
     const bool jacobi = all_at_once(params, model_), switches = !made_for_ || jacobi != gather_.has_value();
@@ -102,6 +110,7 @@ void GpuXpbd::refresh_springs(const SimParams& params)
     }
     masses_changed_ = false;
     if (changes.times) last_is_known_ = false;
+    return others;
 }
 
 // `others`: other constraints than before, not only other numbers.
@@ -116,9 +125,9 @@ void GpuXpbd::refresh_constraints(const SimParams& params, bool others)
 
 void GpuXpbd::refresh(const SimParams& params)
 {
-    refresh_springs(params);
+    const bool new_springs = refresh_springs(params);
     const bool new_forces = forces_.refresh(params), new_tethers = tethers_.refresh(params);
-    if (!made_for_ || new_forces || new_tethers) compile();
+    compile(!made_for_ || new_forces || new_tethers, new_springs);
     made_for_ = params;
     const SubstepTimes times(params);
     for (const Program* program : {&predict_, &finish_, &forget_}) {
@@ -154,7 +163,41 @@ void GpuXpbd::step(const StepInput& input)
     barrier_draw_to_compute();
     if (!last_is_known_) forget_last(true);
     last_is_known_ = true;
+    if (is_small(input.params)) return run_small(input);
     for (int k = 0; k < input.substep_count; ++k) run_substep(input, k);
+}
+
+GpuOneGroup::Work GpuXpbd::small_work(const SimParams& params) const
+{
+    return {constraints_->springs(), bodies_, sweep_pairs(params), SubstepTimes(params)};
+}
+
+bool GpuXpbd::is_small(const SimParams& params) const
+{
+    return constraints_ && constraints_->fit_one_group() && !forces_.on_faces() && !bodies_.moves_pins() &&
+           one_group_->does(small_work(params));
+}
+
+void GpuXpbd::run_small(const StepInput& input)
+{
+    const double h = double(substep_s(input.params));
+    std::vector<glm::vec4> commons;
+    for (int k = 0; k < input.substep_count; ++k)
+        commons.emplace_back(common_acceleration(input.params, input.start_time_s + k * h), 0);
+    tethers_.bind();
+    one_group_->run({positions_, velocities_, current_}, small_work(input.params), commons);
+    current_ = (current_ + input.substep_count) % 2;
+}
+
+void GpuXpbd::project_springs(const SimParams& params, int to) const
+{
+    positions_[to].texture.bind(UNIT_POSITIONS);
+    if (gather_)
+        gather_->run(jacobi_passes(params), positions_[to]);
+    else if (constraints_->fit_one_group())
+        one_group_->sweep(constraints_->springs(), sweep_pairs(params), positions_[to]);
+    else
+        constraints_->sweep(sweep_pairs(params));
 }
 
 void GpuXpbd::run_substep(const StepInput& input, int k)
@@ -180,11 +223,7 @@ void GpuXpbd::run_substep(const StepInput& input, int k)
     dispatch();
     barrier_compute_to_compute();
 
-    positions_[to].texture.bind(UNIT_POSITIONS);
-    if (gather_)
-        gather_->run(jacobi_passes(p), positions_[to]);
-    else
-        constraints_->sweep(sweep_pairs(p));
+    project_springs(p, to);
 
     bind_state(from, to);
     predicted_.texture.bind(UNIT_PREDICTED);

@@ -11,6 +11,7 @@
 #include "solver/base/gpu_tethers.h"
 #include "solver/xpbd/gpu_constraints.h"
 #include "solver/xpbd/gpu_gather.h"
+#include "solver/xpbd/gpu_one_group.h"
 
 namespace nuno {
 
@@ -29,13 +30,20 @@ class GpuXpbd final : public GpuSolver
 
   private:
     void refresh(const SimParams& params);
-    void refresh_springs(const SimParams& params);
+    // True where others than before come.
+    bool refresh_springs(const SimParams& params);
     void refresh_constraints(const SimParams& params, bool others);
-    void compile();
+    void compile(bool new_motion, bool new_springs);
     // Makes the motion before the present one what assumed_last has: of all vertices, or of those whose velocity is not
     // that in given_, which they take.
     void forget_last(bool all);
     void run_substep(const StepInput& input, int k);
+    // Whether one work group takes the whole cloth, substep after substep, and doing so.
+    bool is_small(const SimParams& params) const;
+    void run_small(const StepInput& input);
+    GpuOneGroup::Work small_work(const SimParams& params) const;
+    // Between the beginning and the end of a substep; positions_[to] is what they move.
+    void project_springs(const SimParams& params, int to) const;
 
     const ClothModel& model_;
     GpuForces forces_;
@@ -43,6 +51,7 @@ class GpuXpbd final : public GpuSolver
     GpuTethers tethers_;
     std::optional<GpuConstraints> constraints_;  // in colours
     std::optional<GpuGather> gather_;            // all springs at once; one of the two is there
+    std::optional<GpuOneGroup> one_group_;       // where the cloth is small
     std::vector<float> inverse_masses_;          // one a vertex
     std::optional<SimParams> made_for_;
     bool masses_changed_ = true, last_is_known_ = false;
