@@ -85,6 +85,13 @@ TEST(Layering, methods_of_the_solver_see_what_they_share_but_not_each_other)
     EXPECT_TRUE(is_breach("src/solver/method_table.cpp", "#include \"scene/scene.h\""));
 }
 
+TEST(Layering, folders_of_collision_do_not_see_what_is_built_on_them_nor_each_other)
+{
+    EXPECT_FALSE(is_breach("src/collision/self_collision.cpp", "#include \"collision/ccd/impact.h\""));
+    EXPECT_FALSE(is_breach("src/collision/ccd/filter.cpp", "#include \"model/wide.h\""));
+    EXPECT_TRUE(is_breach("src/collision/ccd/impact.cpp", "#include \"collision/self_collision.h\""));
+}
+
 TEST(Layering, unknown_folders_are_breaches)
 {
     EXPECT_TRUE(is_breach("src/utils/misc.cpp", "#include <vector>"));
