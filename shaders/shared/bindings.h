@@ -38,6 +38,16 @@
 #define LOCATION_FIRST_PLACE 11
 #define LOCATION_END_PLACE 12
 
+// Of contacts between layers, after the substep of any method.
+#define CONTACT_GROUP 1024
+#define UNIT_COLOURS 16
+#define BLOCK_CONTACT_VELOCITIES 2
+#define BLOCK_START_POSITIONS 3
+#define BLOCK_END_POSITIONS 4
+#define BLOCK_CONTACTS 5
+#define LOCATION_COLOURS 11
+#define LOCATION_FRICTION 12
+
 // Of Euler on a small cloth.
 #define UNIT_WINDS 10
 #define IMAGE_SHOWN_POSITIONS 0

@@ -10,6 +10,7 @@
 
 #include "model/body.h"
 #include "model/cloth_state.h"
+#include "model/layer_contact.h"
 #include "model/sim_params.h"
 
 namespace nuno {
@@ -22,6 +23,14 @@ struct StepInput
     int substep_count;
 };
 
+// Where a vertex goes because of contacts.
+struct VertexMove
+{
+    std::uint32_t vertex;
+    glm::vec3 position;       // [m]
+    glm::vec3 velocity_gain;  // [m/s]
+};
+
 class ClothSolver
 {
   public:
@@ -30,11 +39,17 @@ class ClothSolver
 
     // Takes over a whole state; sizes are those of the model that the solver was made for.
     virtual void upload(const ClothState& state) = 0;
+    // Positions alone, xyz [m]; what moves should get a new velocity right after, so that it has no past.
+    virtual void upload_positions(std::span<const glm::vec4> positions) = 0;
     virtual void upload_velocities(std::span<const glm::vec4> velocities) = 0;
     // Places one vertex at rest: xyz [m], w inverse mass (0 holds it there).
     virtual void set_vertex(std::uint32_t vertex, glm::vec4 position) = 0;
 
     virtual void step(const StepInput& input) = 0;
+    // The contacts between layers that keep_contacts keeps from here on, instead of those before.
+    virtual void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count) = 0;
+    // To call after every substep while there are contacts: moves the vertices that went too far in it.
+    virtual void keep_contacts(const SimParams& params) = 0;
     // Waits until what step began is done.
     virtual void finish() = 0;
 

@@ -6,7 +6,7 @@
 namespace nuno {
 
 CpuSolver::CpuSolver(const ClothModel& model, ThreadPool& pool)
-    : pool_(pool),
+    : HostSolver(pool),
       vertex_count_(model.vertex_count()),
       place_count_(vertex_count_),
       positions_{VertexLanes3(place_count_), VertexLanes3(place_count_)},
@@ -17,7 +17,7 @@ CpuSolver::CpuSolver(const ClothModel& model, ThreadPool& pool)
 }
 
 CpuSolver::CpuSolver(std::vector<std::uint32_t> places, std::uint32_t place_count, ThreadPool& pool)
-    : pool_(pool),
+    : HostSolver(pool),
       places_(std::move(places)),
       vertex_count_(static_cast<std::uint32_t>(places_.size())),
       place_count_(place_count),
@@ -38,6 +38,11 @@ void CpuSolver::upload(const ClothState& state)
     }
 }
 
+void CpuSolver::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (std::uint32_t i = 0; i < vertex_count_; ++i) positions_[current_].put(place(i), positions[i]);
+}
+
 void CpuSolver::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (std::uint32_t i = 0; i < vertex_count_; ++i) velocities_[current_].put(place(i), velocities[i]);
@@ -48,6 +53,15 @@ void CpuSolver::set_vertex(std::uint32_t vertex, glm::vec4 position)
     positions_[current_].put(place(vertex), position);
     velocities_[current_].put(place(vertex), glm::vec4(0));
     inverse_mass_.first()[place(vertex)] = position.w;
+}
+
+void CpuSolver::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const VertexMove& move : moves) {
+        const std::uint32_t i = place(move.vertex);
+        positions_[current_].put(i, glm::vec4(move.position, 0));
+        velocities_[current_].put(i, velocities_[current_].at(i, 0) + glm::vec4(move.velocity_gain, 0));
+    }
 }
 
 StateLanes CpuSolver::state(int side)

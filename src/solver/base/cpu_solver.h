@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "model/cloth_model.h"
-#include "solver/base/cloth_solver.h"
+#include "solver/base/host_solver.h"
 #include "solver/base/team.h"
 #include "solver/base/vertex_lanes.h"
 
 namespace nuno {
 
-class CpuSolver : public ClothSolver
+class CpuSolver : public HostSolver
 {
   public:
     CpuSolver(const ClothModel& model, ThreadPool& pool);
@@ -20,15 +20,15 @@ class CpuSolver : public ClothSolver
     CpuSolver(std::vector<std::uint32_t> places, std::uint32_t place_count, ThreadPool& pool);
 
     void upload(const ClothState& state) override;
+    void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
-    void finish() override {}
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
     std::optional<std::uint32_t> first_lost() override;
-    std::uint32_t position_buffer() const override { return 0; }
 
   protected:
+    void move_vertices(std::span<const VertexMove> moves) override;
     // The state on one side, as kernels take it.
     StateLanes state(int side);
     // Calls body on each thread of a team.
@@ -40,7 +40,6 @@ class CpuSolver : public ClothSolver
 
     std::uint32_t place(std::uint32_t vertex) const { return places_.empty() ? vertex : places_[vertex]; }
 
-    ThreadPool& pool_;
     const std::vector<std::uint32_t> places_;  // empty: the order of the model
     const std::uint32_t vertex_count_, place_count_;
     std::array<VertexLanes3, 2> positions_, velocities_;  // read from one, written to the other, in turns

@@ -26,6 +26,12 @@ void GpuSolver::upload(const ClothState& state)
     velocities_[current_].buffer.update(0, state.velocities);
 }
 
+void GpuSolver::upload_positions(std::span<const glm::vec4> positions)
+{
+    barrier_compute_to_upload();
+    positions_[current_].buffer.update(0, std::as_bytes(positions));
+}
+
 void GpuSolver::upload_velocities(std::span<const glm::vec4> velocities)
 {
     barrier_compute_to_upload();
@@ -38,6 +44,21 @@ void GpuSolver::set_vertex(std::uint32_t vertex, glm::vec4 position)
     const glm::vec3 at_rest(0);
     positions_[current_].buffer.update(vertex * sizeof position, std::as_bytes(std::span(&position, 1)));
     velocities_[current_].buffer.update(vertex * sizeof position, std::as_bytes(std::span(&at_rest, 1)));
+}
+
+void GpuSolver::set_contacts(std::span<const LayerContact> contacts, std::uint32_t)
+{
+    if (contacts.empty() && !contacts_) return;
+    if (!contacts_) contacts_.emplace(vertex_count_);
+    barrier_compute_to_upload();
+    contacts_->set(contacts, positions_[current_].buffer);
+}
+
+void GpuSolver::keep_contacts(const SimParams& params)
+{
+    if (!contacts_ || contacts_->empty()) return;
+    contacts_->answer(positions_[current_].buffer, velocities_[current_].buffer, contact_velocities(), params);
+    take_contact_velocities();
 }
 
 void GpuSolver::bind_params(const SimParams& params)

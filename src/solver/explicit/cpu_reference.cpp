@@ -38,8 +38,8 @@ glm::vec4 lane_of(const WideVec3& a, std::size_t lane)
 
 }  // namespace
 
-CpuReference::CpuReference(const ClothModel& model, const Bodies& bodies, const SimParams&, ThreadPool&)
-    : model_(model), bodies_(bodies, model), method_(model.vertex_count())
+CpuReference::CpuReference(const ClothModel& model, const Bodies& bodies, const SimParams&, ThreadPool& pool)
+    : HostSolver(pool), model_(model), bodies_(bodies, model), method_(model.vertex_count())
 {
     for (auto* values : {&now_.x, &now_.v, &next_.x, &next_.v}) values->resize(model.vertex_count());
     inverse_mass_.resize(model.vertex_count());
@@ -60,6 +60,11 @@ void CpuReference::upload(const ClothState& state)
     fresh_ = true;
 }
 
+void CpuReference::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (std::uint32_t i = 0; i < model_.vertex_count(); ++i) fresh_ = replace(now_.x[i], positions[i]) || fresh_;
+}
+
 void CpuReference::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (std::uint32_t i = 0; i < model_.vertex_count(); ++i) fresh_ = replace(now_.v[i], velocities[i]) || fresh_;
@@ -71,6 +76,15 @@ void CpuReference::set_vertex(std::uint32_t vertex, glm::vec4 position)
     now_.v[vertex] = glm::dvec3(0);
     inverse_mass_[vertex] = double(position.w);
     fresh_ = true;
+}
+
+void CpuReference::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const VertexMove& move : moves) {
+        now_.x[move.vertex] = glm::dvec3(move.position);
+        now_.v[move.vertex] += glm::dvec3(move.velocity_gain);
+    }
+    fresh_ = fresh_ || !moves.empty();
 }
 
 void CpuReference::refresh(const SimParams& params)

@@ -6,13 +6,13 @@
 
 #include "core/thread_pool.h"
 #include "model/force_model.h"
-#include "solver/base/cloth_solver.h"
 #include "solver/base/cpu_bodies.h"
+#include "solver/base/host_solver.h"
 #include "solver/explicit/runge_kutta.h"
 
 namespace nuno {
 
-class CpuReference final : public ClothSolver
+class CpuReference final : public HostSolver
 {
   public:
     CpuReference(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool);
@@ -20,14 +20,13 @@ class CpuReference final : public ClothSolver
     std::string_view name() const override { return "reference on cpu"; }
     // What is uploaded as it was downloaded stays as precise as it is here.
     void upload(const ClothState& state) override;
+    void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
-    void finish() override {}
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
     std::optional<std::uint32_t> first_lost() override;
-    std::uint32_t position_buffer() const override { return 0; }
 
     // Steps taken since it was made.
     long step_count() const { return step_count_; }
@@ -38,6 +37,7 @@ class CpuReference final : public ClothSolver
     static constexpr double kOwnTolerance = 0.001;
 
   private:
+    void move_vertices(std::span<const VertexMove> moves) override;
     void refresh(const SimParams& params);
     double advance(const SimParams& params, double time_s, double longest_s);
     void start_pins();

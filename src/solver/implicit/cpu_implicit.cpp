@@ -49,9 +49,9 @@ NUNO_SIMD_CLONES void meet_bodies_in_row(const BodyContacts& contacts, const She
 }  // namespace
 
 CpuImplicit::CpuImplicit(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool)
-    : model_(model),
+    : HostSolver(pool),
+      model_(model),
       method_(params.method),
-      pool_(pool),
       bodies_(bodies, model),
       places_(model.vertex_count()),
       inverse_mass_(model.vertex_count()),
@@ -99,6 +99,12 @@ void CpuImplicit::upload(const ClothState& state)
     }
 }
 
+void CpuImplicit::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (std::uint32_t v = 0; v < model_.vertex_count(); ++v)
+        put_position(places_[v].sheet->motion(), places_[v].at, glm::vec3(positions[v]));
+}
+
 void CpuImplicit::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (std::uint32_t v = 0; v < model_.vertex_count(); ++v) set_velocity(v, velocities[v]);
@@ -108,6 +114,15 @@ void CpuImplicit::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     place_vertex(vertex, position);
     set_velocity(vertex, glm::vec4(0));
+}
+
+void CpuImplicit::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const VertexMove& move : moves) {
+        const Place& p = places_[move.vertex];
+        put_position(p.sheet->motion(), p.at, move.position);
+        put(p.sheet->motion().v, p.at, at(p.sheet->motion().v, p.at) + move.velocity_gain);
+    }
 }
 
 void CpuImplicit::refresh(const SimParams& params)

@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "solver/base/cloth_solver.h"
 #include "solver/base/cpu_air.h"
 #include "solver/base/cpu_bodies.h"
+#include "solver/base/host_solver.h"
 #include "solver/implicit/implicit_sheet.h"
 
 namespace nuno {
 
-class CpuImplicit final : public ClothSolver
+class CpuImplicit final : public HostSolver
 {
   public:
     // params.method: implicit_euler or sdirk2.
@@ -20,19 +20,19 @@ class CpuImplicit final : public ClothSolver
 
     std::string_view name() const override;
     void upload(const ClothState& state) override;
+    void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
-    void finish() override {}
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
     std::optional<std::uint32_t> first_lost() override;
-    std::uint32_t position_buffer() const override { return 0; }
 
     // Of all sheets together since it was made.
     SolveCounts counts() const;
 
   private:
+    void move_vertices(std::span<const VertexMove> moves) override;
     struct Place
     {
         ImplicitSheet* sheet;
@@ -50,7 +50,6 @@ class CpuImplicit final : public ClothSolver
 
     const ClothModel& model_;
     const Method method_;
-    ThreadPool& pool_;
     CpuBodies bodies_;
     std::vector<std::unique_ptr<ImplicitSheet>> sheets_;
     std::vector<Place> places_;  // of each vertex

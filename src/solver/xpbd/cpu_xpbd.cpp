@@ -13,7 +13,7 @@
 namespace nuno {
 
 CpuXpbd::CpuXpbd(const ClothModel& model, const Bodies& bodies, const SimParams& params, ThreadPool& pool, int lanes)
-    : model_(model), pool_(pool), bodies_(bodies, model), tethers_(model), positions_(model.vertex_count())
+    : HostSolver(pool), model_(model), bodies_(bodies, model), tethers_(model), positions_(model.vertex_count())
 {
     if (lanes == 0) lanes = machine_lanes();
     for (const Sheet& sheet : model.sheets) {
@@ -37,6 +37,11 @@ void CpuXpbd::upload(const ClothState& state)
     tethers_.upload(state);
 }
 
+void CpuXpbd::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (const auto& part : parts_) part->upload_positions(positions);
+}
+
 void CpuXpbd::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (const auto& part : parts_) part->upload_velocities(velocities);
@@ -46,6 +51,11 @@ void CpuXpbd::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     for (const auto& part : parts_) part->set_vertex(vertex, position);
     tethers_.set_vertex(vertex, position);
+}
+
+void CpuXpbd::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const auto& part : parts_) part->move_vertices(moves);
 }
 
 void CpuXpbd::step(const StepInput& input)

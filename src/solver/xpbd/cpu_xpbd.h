@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "solver/base/cpu_air.h"
+#include "solver/base/host_solver.h"
 #include "solver/base/pin_tethers.h"
 #include "solver/xpbd/xpbd_part.h"
 
 namespace nuno {
 
-class CpuXpbd final : public ClothSolver
+class CpuXpbd final : public HostSolver
 {
   public:
     // `model`, `bodies` and `pool` must outlive it. params.sweep: rows needs grid sheets, else Error. `lanes` of
@@ -21,21 +22,20 @@ class CpuXpbd final : public ClothSolver
 
     std::string_view name() const override { return "xpbd on cpu"; }
     void upload(const ClothState& state) override;
+    void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
-    void finish() override {}
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
     std::optional<std::uint32_t> first_lost() override;
-    std::uint32_t position_buffer() const override { return 0; }
 
   private:
+    void move_vertices(std::span<const VertexMove> moves) override;
     void step_parts(const XpbdStep& step);
     void blow(const SimParams& params, double time_s);
 
     const ClothModel& model_;
-    ThreadPool& pool_;
     CpuBodies bodies_;
     PinTethers tethers_;
     std::vector<std::unique_ptr<XpbdPart>> parts_;  // one a sheet

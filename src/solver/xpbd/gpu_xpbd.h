@@ -29,6 +29,8 @@ class GpuXpbd final : public GpuSolver
     void step(const StepInput& input) override;
 
   private:
+    const Buffer& contact_velocities() const override { return given_; }
+    void take_contact_velocities() override { forget_last(false); }
     void refresh(const SimParams& params);
     // True where others than before come.
     bool refresh_springs(const SimParams& params);

@@ -35,6 +35,12 @@ void MeshSheet::forget_last(std::size_t place)
     last_velocities_[place] = glm::vec4(last.velocity, 0);
 }
 
+void MeshSheet::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v)
+        positions_[place(v)] = glm::vec4(glm::vec3(positions[v]), positions_[place(v)].w);
+}
+
 void MeshSheet::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v)
@@ -52,6 +58,18 @@ void MeshSheet::set_vertex(std::uint32_t vertex, glm::vec4 position)
     x = position;
     velocities_[place(vertex)] = glm::vec4(0);
     forget_last(place(vertex));
+}
+
+void MeshSheet::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const VertexMove& move : moves) {
+        if (move.vertex - sheet_.first_vertex >= sheet_.vertex_count) continue;
+        const std::size_t at = place(move.vertex);
+        const glm::vec4 before = velocities_[at];
+        positions_[at] = glm::vec4(move.position, positions_[at].w);
+        velocities_[at] += glm::vec4(move.velocity_gain, 0);
+        if (velocities_[at] != before) forget_last(at);
+    }
 }
 
 void MeshSheet::place_tethers(std::span<const Tether> all)

@@ -21,8 +21,10 @@ class MeshSheet final : public XpbdPart
     MeshSheet(const ClothModel& model, const Sheet& sheet, bool in_stars, int lanes);
 
     void upload(const ClothState& state) override;
+    void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
+    void move_vertices(std::span<const VertexMove> moves) override;
     void step(const XpbdStep& step) override;
     void download_positions(std::span<glm::vec4> positions) const override;
     void download_velocities(std::span<glm::vec4> velocities) const override;

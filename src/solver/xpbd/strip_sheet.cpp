@@ -99,6 +99,12 @@ void StripSheet::upload(const ClothState& state)
     last_is_known_ = false;
 }
 
+void StripSheet::upload_positions(std::span<const glm::vec4> positions)
+{
+    for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v)
+        put(positions_, v, glm::vec3(positions[v]));
+}
+
 void StripSheet::upload_velocities(std::span<const glm::vec4> velocities)
 {
     for (std::uint32_t v = sheet_.first_vertex; v < sheet_.first_vertex + sheet_.vertex_count; ++v) {
@@ -118,6 +124,17 @@ void StripSheet::set_vertex(std::uint32_t vertex, glm::vec4 position)
     float& inverse_mass = inverse_masses_[vertex - sheet_.first_vertex];
     masses_changed_ = masses_changed_ || inverse_mass != position.w;
     inverse_mass = position.w;
+}
+
+void StripSheet::move_vertices(std::span<const VertexMove> moves)
+{
+    for (const VertexMove& move : moves) {
+        if (move.vertex - sheet_.first_vertex >= sheet_.vertex_count) continue;
+        const glm::vec3 before = at(velocities_, move.vertex), velocity = before + move.velocity_gain;
+        put(positions_, move.vertex, move.position);
+        put(velocities_, move.vertex, velocity);
+        if (velocity != before) forget_last(move.vertex);
+    }
 }
 
 void StripSheet::place_tethers(std::span<const Tether> all)

@@ -27,8 +27,10 @@ class XpbdPart
   public:
     virtual ~XpbdPart() = default;
     virtual void upload(const ClothState& state) = 0;
+    virtual void upload_positions(std::span<const glm::vec4> positions) = 0;
     virtual void upload_velocities(std::span<const glm::vec4> velocities) = 0;
     virtual void set_vertex(std::uint32_t vertex, glm::vec4 position) = 0;
+    virtual void move_vertices(std::span<const VertexMove> moves) = 0;
     virtual void step(const XpbdStep& step) = 0;
     virtual void download_positions(std::span<glm::vec4> positions) const = 0;
     virtual void download_velocities(std::span<glm::vec4> velocities) const = 0;

@@ -1,0 +1,171 @@
+// Contact of two pieces of cloth, a vertex with a face or an edge with an edge, with Coulomb friction. The four vertices
+// are x0 (vertex), x1 x2 x3 (face), or x0 x1 (one edge), x2 x3 (the other). Side A is what comes first, side B the other.
+
+#define CONTACT_VERTEX_FACE 0.0f
+#define CONTACT_EDGE_EDGE 1.0f
+
+// The closest points of the two sides: weights w0..w3 of the vertices, 1 in sum for A and -1 for B, so that
+// separation = w0 x0 + w1 x1 + w2 x2 + w3 x3 goes from B to A.
+struct ClosestPoints
+{
+    Real w0, w1, w2, w3;
+    Vec3 separation;  // [m]
+};
+
+SHARED_FN Real clamp_to_unit(Real a) { return min_real(max_real(a, Real(0.0f)), Real(1.0f)); }
+
+SHARED_FN ClosestPoints closest_points(Real w0, Real w1, Real w2, Real w3, Vec3 separation)
+{
+    ClosestPoints c;
+    c.w0 = w0;
+    c.w1 = w1;
+    c.w2 = w2;
+    c.w3 = w3;
+    c.separation = separation;
+    return c;
+}
+
+// Of the point p and the face a, b, c, by the region of the face that p lies over (C. Ericson, Real-Time Collision
+// Detection, 2005, 5.1.5). A face without area is its longest edge or a point.
+SHARED_FN ClosestPoints closest_vertex_face(Vec3 p, Vec3 a, Vec3 b, Vec3 c)
+{
+    const Real zero = Real(0.0f), one = Real(1.0f);
+    PRECISE Vec3 ab = b - a;
+    PRECISE Vec3 ac = c - a;
+    PRECISE Vec3 ap = p - a;
+    PRECISE Vec3 bp = p - b;
+    PRECISE Vec3 cp = p - c;
+    PRECISE Real d1 = dot_product(ab, ap);
+    PRECISE Real d2 = dot_product(ac, ap);
+    if (d1 <= zero && d2 <= zero) return closest_points(one, -one, zero, zero, ap);
+    PRECISE Real d3 = dot_product(ab, bp);
+    PRECISE Real d4 = dot_product(ac, bp);
+    if (d3 >= zero && d4 <= d3) return closest_points(one, zero, -one, zero, bp);
+    PRECISE Real vc = d1 * d4 - d3 * d2;
+    if (vc <= zero && d1 >= zero && d3 <= zero && d1 > d3) {
+        PRECISE Real v = d1 / (d1 - d3);
+        PRECISE Vec3 r = ap - v * ab;
+        return closest_points(one, v - one, -v, zero, r);
+    }
+    PRECISE Real d5 = dot_product(ab, cp);
+    PRECISE Real d6 = dot_product(ac, cp);
+    if (d6 >= zero && d5 <= d6) return closest_points(one, zero, zero, -one, cp);
+    PRECISE Real vb = d5 * d2 - d1 * d6;
+    if (vb <= zero && d2 >= zero && d6 <= zero && d2 > d6) {
+        PRECISE Real w = d2 / (d2 - d6);
+        PRECISE Vec3 r = ap - w * ac;
+        return closest_points(one, w - one, zero, -w, r);
+    }
+    PRECISE Real va = d3 * d6 - d5 * d4;
+    PRECISE Real d43 = d4 - d3;
+    PRECISE Real d56 = d5 - d6;
+    PRECISE Real whole = va + vb + vc;
+    if ((va <= zero && d43 >= zero && d56 >= zero && d43 + d56 > zero) || whole <= zero) {
+        PRECISE Real w = d43 / max_real(d43 + d56, Real(1e-30f));
+        PRECISE Vec3 r = bp - w * (c - b);
+        return closest_points(one, zero, w - one, -w, r);
+    }
+    PRECISE Real v = vb / whole;
+    PRECISE Real w = vc / whole;
+    PRECISE Vec3 r = ap - v * ab - w * ac;
+    return closest_points(one, v + w - one, -v, -w, r);
+}
+
+// Of the edges a0 a1 and b0 b1 (Ericson 2005, 5.1.9). Edges that are nearly parallel meet at the end of one of them.
+SHARED_FN ClosestPoints closest_edge_edge(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1)
+{
+    const Real zero = Real(0.0f), one = Real(1.0f), tiny = Real(1e-30f);
+    PRECISE Vec3 da = a1 - a0;
+    PRECISE Vec3 db = b1 - b0;
+    PRECISE Vec3 r = a0 - b0;
+    PRECISE Real aa = dot_product(da, da);
+    PRECISE Real bb = dot_product(db, db);
+    PRECISE Real ab = dot_product(da, db);
+    PRECISE Real ar = dot_product(da, r);
+    PRECISE Real br = dot_product(db, r);
+    PRECISE Real det = aa * bb - ab * ab;
+    PRECISE Real s = zero;
+    if (det > Real(1e-6f) * aa * bb) s = clamp_to_unit((ab * br - ar * bb) / det);
+    PRECISE Real t = clamp_to_unit((ab * s + br) / max_real(bb, tiny));
+    s = clamp_to_unit((ab * t - ar) / max_real(aa, tiny));
+    PRECISE Vec3 separation = r + s * da - t * db;
+    return closest_points(one - s, s, t - one, -t, separation);
+}
+
+SHARED_FN ClosestPoints closest_of_layers(Real kind, Vec3 x0, Vec3 x1, Vec3 x2, Vec3 x3)
+{
+    if (kind == Real(CONTACT_VERTEX_FACE)) return closest_vertex_face(x0, x1, x2, x3);
+    return closest_edge_edge(x0, x1, x2, x3);
+}
+
+// The least of normal.(a - b) over the vertices a of side A and b of side B [m]: planes across `normal` keep the sides
+// at least that far apart.
+SHARED_FN Real layer_gap(Real kind, Vec3 normal, Vec3 x0, Vec3 x1, Vec3 x2, Vec3 x3)
+{
+    PRECISE Real g02 = dot_product(normal, x0 - x2);
+    PRECISE Real g03 = dot_product(normal, x0 - x3);
+    PRECISE Real first = min_real(g02, g03);
+    if (kind == Real(CONTACT_VERTEX_FACE)) return min_real(first, dot_product(normal, x0 - x1));
+    PRECISE Real g12 = dot_product(normal, x1 - x2);
+    PRECISE Real g13 = dot_product(normal, x1 - x3);
+    return min_real(first, min_real(g12, g13));
+}
+
+// The least share of the cosine between old and new normal at which the new one is taken: it may turn, not flip, so
+// that a contact remembers its side.
+#define CONTACT_LEAST_TURN 0.2f
+// Of the way to the whole thickness that a substep gives back to layers that are nearer: more would throw them apart.
+#define CONTACT_RECOVERY 0.1f
+// The least effective inverse mass over the largest of its vertices: pins that bear nearly all of a contact would
+// otherwise let an impulse throw the rest any distance.
+#define CONTACT_LEAST_MOBILITY 0.1f
+
+SHARED_FN Vec3 contact_normal(Vec3 old_normal, Vec3 separation)
+{
+    PRECISE Real d = vector_length(separation);
+    if (dot_product(old_normal, separation) > Real(CONTACT_LEAST_TURN) * d && d > Real(1e-7f)) return separation / d;
+    return old_normal;
+}
+
+// sum w^2 inverse_mass, not too small [1/kg]; 0 where nothing can move. Of inverse masses m0..m3.
+SHARED_FN Real contact_mobility(ClosestPoints c, Real m0, Real m1, Real m2, Real m3)
+{
+    PRECISE Real sum = c.w0 * c.w0 * m0 + c.w1 * c.w1 * m1 + c.w2 * c.w2 * m2 + c.w3 * c.w3 * m3;
+    PRECISE Real largest = max_real(max_real(m0, m1), max_real(m2, m3));
+    return max_real(sum, Real(CONTACT_LEAST_MOBILITY) * largest);
+}
+
+// How far the closest points went relative to each other, A less B, where the vertices went y0..y3 [m].
+SHARED_FN Vec3 contact_way(ClosestPoints c, Vec3 y0, Vec3 y1, Vec3 y2, Vec3 y3)
+{
+    PRECISE Vec3 way = c.w0 * y0 + c.w1 * y1 + c.w2 * y2 + c.w3 * y3;
+    return way;
+}
+
+// What each side is to be moved by, times weight and inverse mass of a vertex [m kg], so that after a substep in which
+// the closest points went `way` [m] relative to each other and stand `gap` [m] apart along `normal`,
+//     gap >= target = min(thickness, g0 + CONTACT_RECOVERY (thickness - g0)),   g0 = max(gap - normal.way, 0),
+// with what Coulomb takes of the way across: all of it where that is less than resting times what is pushed, else
+// kinetic times as much. 0 where the gap is wide enough.
+SHARED_FN Vec3 contact_push(Vec3 normal, Real gap, Vec3 way, Real thickness, Friction friction, Real mobility)
+{
+    const Real zero = Real(0.0f), one = Real(1.0f);
+    PRECISE Real along = dot_product(normal, way);
+    PRECISE Real start = max_real(gap - along, zero);
+    PRECISE Real target = min_real(thickness, start + Real(CONTACT_RECOVERY) * (thickness - start));
+    PRECISE Real depth = target - gap;
+    if (depth <= zero || mobility <= zero) return Vec3(zero);
+    PRECISE Vec3 across = way - along * normal;
+    PRECISE Real length = max_real(vector_length(across), Real(1e-12f));
+    PRECISE Real kept = max_real(one - friction.kinetic * depth / length, zero);
+    if (length <= friction.resting * depth) kept = zero;
+    PRECISE Vec3 push = (depth * normal - (one - kept) * across) / mobility;
+    return push;
+}
+
+// A vertex at x of this weight and inverse mass, moved by a push.
+SHARED_FN Vec3 contact_position(Vec3 x, Vec3 push, Real weight, Real inverse_mass)
+{
+    PRECISE Vec3 moved = x + (weight * inverse_mass) * push;
+    return moved;
+}

@@ -1,0 +1,21 @@
+// Contacts in colours: no two of one colour share a vertex, so that all of a colour may be answered at once.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/layer_contact.h"
+
+namespace nuno {
+
+struct ContactColours
+{
+    std::vector<LayerContact> contacts;  // colour by colour, within one as they came
+    std::vector<std::uint32_t> starts;   // of every colour in `contacts`, and their end
+};
+
+// Vertices are below `vertex_count`.
+ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count);
+
+}  // namespace nuno
