@@ -29,7 +29,7 @@ endif()
 set(NUNO_DEPENDENCIES
     cli11 egl fmt glad glfw glm imgui libpng nlohmann_json stb threads tinyobjloader tomlplusplus)
 if(NUNO_TESTS)
-    list(APPEND NUNO_DEPENDENCIES gmp googletest valijson)
+    list(APPEND NUNO_DEPENDENCIES gmp cgal googletest valijson)
 endif()
 if(NUNO_BENCH)
     list(APPEND NUNO_DEPENDENCIES benchmark bullet)

@@ -24,14 +24,14 @@ void SelfCollision::refit(const CollisionStep& step, const CollisionSettings& se
     settings_ = settings;
     counts_ = {};
     contacts_ = {};
-    if (settings_.level == CollisionLevel::none) return;
+    if (settings_.level != CollisionLevel::discrete) return;
     tree_.refit(step.positions_t1, contact_margin(settings_.range), pool_);
     if (settings_.culling == Culling::seed) tree_.bound_normals(step.positions_t1, pool_);
 }
 
 std::span<const Contact> SelfCollision::query(const CollisionStep& step)
 {
-    if (settings_.level == CollisionLevel::none) return {};
+    if (settings_.level != CollisionLevel::discrete) return {};
     contacts_ = search_.find(tree_, step.positions_t1, settings_.range, settings_.culling, pool_);
     const PairCounts counts = search_.counts();
     counts_.pairs_tested = counts.pairs_tested;

@@ -63,12 +63,16 @@ enum class Backend : std::int32_t
 enum class CollisionLevel : std::int32_t
 {
     none,
-    discrete
+    discrete,
+    speculative,
+    continuous,
+    guaranteed
 };
 enum class Culling : std::int32_t
 {
     none,
-    seed
+    seed,
+    sound
 };
 enum class MassLumping : std::int32_t
 {

@@ -24,6 +24,14 @@ constexpr float kDragSpeed = 3.0f;          // of a held vertex [m/s]
 constexpr float kDragStretch = 0.2f;        // of the threads at a held vertex, at most
 constexpr double kHandMoveSeconds = 0.001;  // about how often it moves
 
+bool sees_ahead(const SimParams& params) { return params.collision >= CollisionLevel::speculative; }
+bool follows_the_way(const SimParams& params) { return params.collision >= CollisionLevel::continuous; }
+
+LayerSettings layer_settings(const SimParams& params)
+{
+    return {params.thickness, params.friction, params.collision == CollisionLevel::guaranteed};
+}
+
 void add_pass(FrameStats& stats, const CollisionCounts& pass)
 {
     CollisionCounts& sum = stats.count;
@@ -60,6 +68,7 @@ void Simulation::build(const SimParams& asked)
     auto solver = make_solver(*model, scene_.bodies, params, *pool);
     solver_ = std::move(solver);
     collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, *pool);
+    layers_.reset();
     pool_ = std::move(pool);
     model_ = std::move(model);
     stiffest_mode_.clear();
@@ -93,6 +102,7 @@ void Simulation::set_params(const SimParams& asked)
         if (new_solver) solver_ = make_solver(*model_, scene_.bodies, params, pool ? *pool : *pool_);
         if (new_pool) {
             collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, *pool);
+            layers_.reset();
             pool_ = std::move(pool);
         }
         for (std::uint32_t v = 0; v < model_->vertex_count(); ++v)
@@ -129,6 +139,8 @@ FrameStats Simulation::advance_frame()
     const int passes = pass_count(), substeps = params_.substeps;
     for (int pass = 0; pass < passes; ++pass) {
         const int first = substeps * pass / passes, last = substeps * (pass + 1) / passes;
+        const auto interval_s = static_cast<float>((last - first) * h);
+        foresee_contacts(stats, interval_s);
         Stopwatch watch;
         run_substeps(first, last);
         solver_->finish();
@@ -141,11 +153,52 @@ FrameStats Simulation::advance_frame()
             stats.stage_ms.readback += watch.lap_ms();
         }
         check_not_lost(on_host ? first_lost(state_.positions) : solver_->first_lost(), first, last);
-        if (on_host) collide(stats, static_cast<float>((last - first) * h));
+        if (follows_the_way(params_)) respond_to_impacts(stats, interval_s);
+        if (on_host) collide(stats, interval_s);
     }
     stats.frame = ++frame_;
     stats.time_s = time_s_ += 1.0 / params_.frame_rate;
     return stats;
+}
+
+void Simulation::foresee_contacts(FrameStats& stats, float interval_s)
+{
+    if (!sees_ahead(params_)) {
+        if (keeps_contacts_) solver_->set_contacts({}, model_->vertex_count());
+        keeps_contacts_ = false;
+        return;
+    }
+    Stopwatch watch;
+    if (!layers_) layers_ = std::make_unique<ContinuousCollision>(*model_, *pool_);
+    download();
+    start_positions_ = state_.positions;
+    stats.stage_ms.readback += watch.lap_ms();
+    const auto contacts = layers_->foresee(state_.positions, state_.velocities, interval_s, layer_settings(params_));
+    stats.stage_ms.query += watch.lap_ms();
+    solver_->set_contacts(contacts, model_->vertex_count());
+    keeps_contacts_ = !contacts.empty();
+    stats.stage_ms.upload += watch.lap_ms();
+    stats.count.contacts += static_cast<std::uint32_t>(contacts.size());
+}
+
+void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
+{
+    Stopwatch watch;
+    solver_->download_velocities(state_.velocities);
+    velocities_fresh_ = true;
+    stats.stage_ms.readback += watch.lap_ms();
+    const LayerCounts counts =
+        layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
+    stats.stage_ms.respond += watch.lap_ms();
+    if (counts.changed) {
+        solver_->upload_positions(state_.positions);
+        solver_->upload_velocities(state_.velocities);
+        stats.stage_ms.upload += watch.lap_ms();
+    }
+    stats.count.impacts += counts.impacts;
+    stats.count.zones += counts.zones;
+    stats.count.rollbacks += counts.rollbacks;
+    stats.count.unresolved += counts.unresolved + counts.touching;
 }
 
 void Simulation::collide(FrameStats& stats, float interval_s)
@@ -230,14 +283,17 @@ void Simulation::release_vertex()
 void Simulation::run_substeps(int first, int last)
 {
     const double h = double(substep_s(params_));
-    if (!held_) return solver_->step({params_, time_s_ + first * h, last - first});
+    if (!held_ && !keeps_contacts_) return solver_->step({params_, time_s_ + first * h, last - first});
     // The hand moves a little every few substeps, so that the cloth can follow.
-    const int move = std::max(1, static_cast<int>(kHandMoveSeconds / h));
+    const int move = keeps_contacts_ ? 1 : std::max(1, static_cast<int>(kHandMoveSeconds / h));
     for (int begin = first; begin < last; begin += move) {
         const int end = std::min(last, begin + move);
-        solver_->download_positions(state_.positions);
-        move_held_vertex(static_cast<float>((end - begin) * h));
+        if (held_) {
+            solver_->download_positions(state_.positions);
+            move_held_vertex(static_cast<float>((end - begin) * h));
+        }
         solver_->step({params_, time_s_ + begin * h, end - begin});
+        if (keeps_contacts_) solver_->keep_contacts(params_);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision/continuous.h"
 #include "core/thread_pool.h"
 #include "model/cloth_state.h"
 #include "model/diagnostics.h"
@@ -72,6 +73,8 @@ class Simulation
     void move_held_vertex(float duration_s);
     std::vector<Tether> reach_of(std::uint32_t vertex) const;
     void collide(FrameStats& stats, float interval_s);
+    void foresee_contacts(FrameStats& stats, float interval_s);
+    void respond_to_impacts(FrameStats& stats, float interval_s);
     void check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const;
     int pass_count() const;
 
@@ -88,9 +91,12 @@ class Simulation
     std::unique_ptr<ClothModel> model_;
     std::unique_ptr<ClothSolver> solver_;
     std::unique_ptr<SelfCollision> collision_;
-    ClothState state_;  // on the host; as fresh as the two flags say
+    std::unique_ptr<ContinuousCollision> layers_;  // made where the level needs it
+    bool keeps_contacts_ = false;                  // the solver has some
+    ClothState state_;                             // on the host; as fresh as the two flags say
     bool positions_fresh_ = false, velocities_fresh_ = false;
-    std::vector<glm::vec4> pass_positions_;  // at the last pass, for counting what went through since
+    std::vector<glm::vec4> start_positions_;  // of the pass, where the level looks at its whole way
+    std::vector<glm::vec4> pass_positions_;   // at the last pass, for counting what went through since
     std::optional<Held> held_;
     std::vector<glm::dvec3> stiffest_mode_;  // of stability()
     int frame_ = 0;

@@ -1,4 +1,4 @@
-// Runs nuno as a user would.
+// Runs a program as a user would.
 #include "support/program_run.h"
 
 #include <sys/resource.h>
@@ -27,12 +27,11 @@ void limit_file_size(long bytes)
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-[[noreturn]] void become_nuno(std::vector<std::string> words, const std::vector<std::string>& environment,
-                              const ProgramLimits& limits, const fs::path& out, const fs::path& err)
+[[noreturn]] void become_words(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                               const ProgramLimits& limits, const fs::path& out, const fs::path& err)
 {
     if (limits.file_bytes > 0) limit_file_size(limits.file_bytes);
     if (!std::freopen(out.c_str(), "w", stdout) || !std::freopen(err.c_str(), "w", stderr)) _exit(126);
-    words.insert(words.begin(), NUNO_PROGRAM);
     become_program(words, environment);
 }
 
@@ -41,10 +40,18 @@ void limit_file_size(long bytes)
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
                           const ProgramLimits& limits)
 {
+    std::vector<std::string> all{NUNO_PROGRAM};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_words(all, environment, limits);
+}
+
+ProgramResult run_words(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                        const ProgramLimits& limits)
+{
     const TemporaryDirectory directory;
     const fs::path out = directory.path() / "out", err = directory.path() / "err";
     const pid_t child = fork();
-    if (child == 0) become_nuno(words, environment, limits, out, err);
+    if (child == 0) become_words(words, environment, limits, out, err);
     int status = 0;
     if (!limits.interrupt_at.empty()) {
         while (!fs::exists(limits.interrupt_at) && waitpid(child, &status, WNOHANG) == 0) usleep(1000);

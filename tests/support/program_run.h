@@ -1,4 +1,4 @@
-// Runs nuno as a user would, and keeps what it said.
+// Runs a program as a user would, and keeps what it said.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +19,10 @@ struct ProgramLimits
     // Where not empty, SIGINT is sent as soon as this path exists.
     std::filesystem::path interrupt_at;
 };
+
+// Runs words[0] with the other words.
+ProgramResult run_words(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
+                        const ProgramLimits& limits = {});
 
 // Runs `nuno WORDS...` with further NAME=VALUE settings in its environment (an empty VALUE removes NAME).
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},

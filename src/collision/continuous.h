@@ -1,0 +1,82 @@
+// Levels `speculative`, `continuous` and `guaranteed` (docs/collision.md): contacts found ahead of a pass for solvers to
+// keep, and after it what the whole way of the cloth would run into.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "collision/element_query.h"
+#include "collision/impact_search.h"
+#include "collision/speculative.h"
+#include "core/thread_pool.h"
+#include "model/cloth_model.h"
+
+namespace nuno {
+
+struct LayerSettings
+{
+    float thickness;  // [m]
+    float friction;   // kinetic, between layers
+    bool guaranteed;  // rolls back what rounds of impulses leave
+};
+
+// The cloth over one pass.
+struct LayerPass
+{
+    std::span<const glm::vec4> start;  // xyz [m], w inverse mass [1/kg]
+    std::span<glm::vec4> end;          // where the solver took it; corrected
+    std::span<glm::vec4> velocities;   // at the end, xyz [m/s]; corrected by what the ends are
+    float duration;                    // [s]
+};
+
+struct LayerCounts
+{
+    std::uint64_t pairs_tested = 0;  // whose boxes overlap, in all rounds
+    std::uint32_t impacts = 0;       // in the first round
+    std::uint32_t rounds = 0, zones = 0, rollbacks = 0, largest_cluster = 0;
+    std::uint32_t touching = 0;    // pairs that touched at the start already
+    std::uint32_t unresolved = 0;  // impacts that are left
+    double way_m = 0, lost_m = 0;  // of all vertices together: in the pass, and what was taken of it
+    bool changed = false;          // whether any vertex was moved
+};
+
+class ContinuousCollision
+{
+  public:
+    // `model` must outlive it.
+    ContinuousCollision(const ClothModel& model, ThreadPool& pool);
+
+    // The contacts that may come about within `duration` [s] from this state on, in a fixed order; they last until the
+    // next call.
+    std::span<const LayerContact> foresee(std::span<const glm::vec4> positions, std::span<const glm::vec4> velocities,
+                                          float duration, const LayerSettings& settings);
+
+    // Answers all impacts on the way of the pass: rounds of impulses, then, where guaranteed, rollback until none is
+    // left. Start must be free of intersections for that to hold; pairs that
+    // touch there are let alone.
+    LayerCounts respond(const LayerPass& pass, const LayerSettings& settings);
+
+  private:
+    // Impacts among the pairs with a vertex that is marked, in a fixed order.
+    std::vector<Impact> find_impacts(const LayerPass& pass, LayerCounts& counts);
+    // Rounds of impulses; false where impacts are left.
+    bool push_apart(const LayerPass& pass, const LayerSettings& settings, LayerCounts& counts);
+    void roll_back_until_clean(const LayerPass& pass, LayerCounts& counts);
+    void mark(const std::vector<Impact>& impacts);
+
+    const ClothModel& model_;
+    ThreadPool& pool_;
+    ElementQuery query_;
+    std::vector<std::uint32_t> sheet_numbers_;  // of every vertex
+    std::vector<LayerContact> contacts_;
+    std::vector<std::vector<LayerContact>> contacts_of_task_;
+    std::vector<std::vector<Impact>> impacts_of_task_;
+    std::vector<std::uint64_t> pairs_of_task_;
+    std::vector<std::uint8_t> dirty_;  // of every vertex: its way has changed since it was last looked at
+};
+
+}  // namespace nuno

@@ -1,0 +1,69 @@
+// Clusters by union-find over the vertices of impacts.
+#include "collision/rollback.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nuno {
+namespace {
+
+class Clusters
+{
+  public:
+    explicit Clusters(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t find(std::uint32_t a)
+    {
+        while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+        return a;
+    }
+    // The lower number leads, so that the result does not depend on the order.
+    void join(std::uint32_t a, std::uint32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+RollbackCounts roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
+                         std::span<glm::vec4> end, std::span<std::uint8_t> moved)
+{
+    std::vector<std::uint32_t> vertices;
+    for (const Impact& impact : impacts)
+        for (int i = 0; i < 4; ++i) vertices.push_back(impact.pair.vertices[i]);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const auto number = [&](std::uint32_t vertex) {
+        return static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), vertex) -
+                                          vertices.begin());
+    };
+
+    Clusters clusters(vertices.size());
+    for (const Impact& impact : impacts)
+        for (int i = 1; i < 4; ++i) clusters.join(number(impact.pair.vertices[0]), number(impact.pair.vertices[i]));
+    std::vector<double> times(vertices.size(), 1.0);
+    for (const Impact& impact : impacts) {
+        double& time = times[clusters.find(number(impact.pair.vertices[0]))];
+        time = std::min(time, impact.time);
+    }
+
+    RollbackCounts counts;
+    std::vector<std::uint32_t> sizes(vertices.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        const std::uint32_t leader = clusters.find(i), v = vertices[i];
+        counts.clusters += sizes[leader] == 0;
+        counts.largest_cluster = std::max(counts.largest_cluster, ++sizes[leader]);
+        const glm::dvec3 from(start[v]), to(end[v]);
+        end[v] = glm::vec4(glm::vec3(from + kept * times[leader] * (to - from)), end[v].w);
+        moved[v] = 1;
+    }
+    return counts;
+}
+
+}  // namespace nuno
