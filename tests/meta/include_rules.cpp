@@ -26,6 +26,7 @@ constexpr std::array kFolders{
     Folder{"src/gl/", 1},
     Folder{"src/scene/", 2},
     Folder{"src/collision/ccd/", 2, 0},
+    Folder{"src/collision/tree/", 2, 0},
     Folder{"src/collision/", 2, 1},
     Folder{"src/render/", 2},
     Folder{"src/solver/base/", 2, 0},

@@ -90,6 +90,7 @@ TEST(Layering, folders_of_collision_do_not_see_what_is_built_on_them_nor_each_ot
     EXPECT_FALSE(is_breach("src/collision/self_collision.cpp", "#include \"collision/ccd/impact.h\""));
     EXPECT_FALSE(is_breach("src/collision/ccd/filter.cpp", "#include \"model/wide.h\""));
     EXPECT_TRUE(is_breach("src/collision/ccd/impact.cpp", "#include \"collision/self_collision.h\""));
+    EXPECT_TRUE(is_breach("src/collision/ccd/impact.cpp", "#include \"collision/tree/tree_node.h\""));
 }
 
 TEST(Layering, unknown_folders_are_breaches)

@@ -1,0 +1,101 @@
+// Levels of bounds of edges, and their flags.
+#include "collision/tree/grid_proof.h"
+
+#include <algorithm>
+
+namespace nuno {
+namespace {
+
+constexpr float kNoEdge = 1e30f;
+constexpr int kReadAhead = 32;
+
+// Faces of a grid without a common vertex are at least half a diagonal of a unit cell apart at rest, so a surface with
+// |f(p) - f(q)| >= lambda |p - q|, lengths at rest in cells, has them lambda / sqrt 2 apart.
+constexpr float kCellsApart = 1.41421357f;
+
+void forget_edges(const EdgeLevel& level)
+{
+    const std::size_t size = std::size_t(level.stride) * std::size_t(level.height + 1);
+    for (std::size_t bound = 0; bound < 12; ++bound)
+        std::fill_n(level.bound[bound], size, bound / 3 % 2 == 1 ? -kNoEdge : kNoEdge);
+}
+
+}  // namespace
+
+GridProof::GridProof(const GridPatch& grid)
+{
+    int width = (grid.columns + 3) / 4, height = (grid.rows + 3) / 4;
+    while (levels_.empty() || levels_.back().width > 1 || levels_.back().height > 1) {
+        EdgeLevel level;
+        level.width = width;
+        level.height = height;
+        level.stride = width + kReadAhead;
+        const std::size_t size = std::size_t(level.stride) * std::size_t(height + 1);
+        storage_.emplace_back(12 * size);
+        for (std::size_t bound = 0; bound < 12; ++bound) level.bound[bound] = storage_.back().data() + bound * size;
+        levels_.push_back(level);
+        flags_.emplace_back(std::size_t(width) * std::size_t(height));
+        forget_edges(level);
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+    }
+    open_.assign(flags_.front().size() + 4, 0);
+}
+
+void GridProof::clear() { forget_edges(levels_.front()); }
+
+void GridProof::prove(float distance, const TreeKernels& kernels)
+{
+    const float need = kCellsApart * distance * 1.0001f + 1e-6f;
+    for (std::size_t n = 1; n < levels_.size(); ++n) kernels.merge_edges(levels_[n - 1], levels_[n]);
+    kernels.prove_blocks(levels_.back(), need, kEdgeSlack, flags_.back().data());
+    if (holds_for_all()) {
+        for (std::vector<std::uint8_t>& flags : flags_) std::fill(flags.begin(), flags.end(), std::uint8_t{0xf});
+        std::fill(open_.begin(), open_.end(), std::uint8_t{0});
+        return;
+    }
+    for (std::size_t n = 0; n + 1 < levels_.size(); ++n)
+        kernels.prove_blocks(levels_[n], need, kEdgeSlack, flags_[n].data());
+    find_open_blocks();
+}
+
+ProofLevel GridProof::level(int level) const
+{
+    const std::size_t n = std::min(std::size_t(level) - 1, levels_.size() - 1);
+    return {flags_[n].data(), static_cast<std::uint32_t>(levels_[n].width)};
+}
+
+void GridProof::find_open_blocks()
+{
+    const int width = base().width, height = base().height;
+    const std::vector<std::uint8_t>& flags = flags_.front();
+    // Whether the window of the flag `bit` with the corner (x, y) exists and is not proven.
+    const auto is_open = [&](int x, int y, int bit, int across, int down) {
+        if (x < 0 || y < 0 || x + across >= width || y + down >= height) return false;
+        return (flags[std::size_t(y) * std::size_t(width) + std::size_t(x)] & bit) == 0;
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            int open = 0;
+            if (is_open(x, y, 1, 0, 0)) open |= kOpenSelf;
+            if (is_open(x, y, 2, 1, 0)) open |= kOpenRight;
+            if (is_open(x - 1, y, 2, 1, 0)) open |= kOpenLeft;
+            if (is_open(x, y - 1, 4, 0, 1)) open |= kOpenAbove;
+            if (is_open(x, y - 1, 8, 1, 1)) open |= kOpenAboveRight;
+            if (is_open(x - 1, y - 1, 8, 1, 1)) open |= kOpenAboveLeft;
+            open_[std::size_t(y) * std::size_t(width) + std::size_t(x)] = static_cast<std::uint8_t>(open);
+        }
+}
+
+bool GridProof::is_apart_from_neighbours(int i, int j) const
+{
+    const int x = i / 4, y = j / 4, width = base().width;
+    const auto open = [&](int across, int down) {
+        if (x + across < 0 || x + across >= width || y + down >= base().height) return 0;
+        return int{open_[std::size_t(y + down) * std::size_t(width) + std::size_t(x + across)]};
+    };
+    return open(0, 0) == 0 && (open(0, 1) & kOpenAbove) == 0 && (open(1, 1) & kOpenAboveLeft) == 0 &&
+           (open(-1, 1) & kOpenAboveRight) == 0;
+}
+
+}  // namespace nuno

@@ -1,0 +1,42 @@
+// Where a grid cannot touch itself, by the monotonicity of its surface over its rest shape (docs/tree.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/tree/kernels.h"
+
+namespace nuno {
+
+// Flags for squares of 2^n cells, n = 2, 3 .. up to the whole grid, at positions over a step. Keeps its storage.
+class GridProof
+{
+  public:
+    explicit GridProof(const GridPatch& grid);
+
+    // Forgets the edges of the last step.
+    void clear();
+    // Where bands of rows are added, each by one thread: EdgeLevel of blocks of 4 x 4 cells.
+    const EdgeLevel& base() const { return levels_.front(); }
+    // Faces without a common vertex are more than `distance` [m] apart in every window whose flag is set.
+    void prove(float distance, const TreeKernels& kernels);
+
+    bool holds_for_all() const { return flags_.back()[0] & 1; }
+    // Of nodes of a level of the tree; those of level 0 have none.
+    ProofLevel level(int level) const;
+    // Whether contacts of cell (i, j) with itself and with the cells around it are ruled out.
+    bool is_apart_from_neighbours(int i, int j) const;
+    // GridBand::open_blocks, row by row.
+    const std::uint8_t* open_blocks() const { return open_.data(); }
+    int block_columns() const { return base().width; }
+
+  private:
+    void find_open_blocks();
+
+    std::vector<std::vector<float>> storage_;
+    std::vector<EdgeLevel> levels_;
+    std::vector<std::vector<std::uint8_t>> flags_;
+    std::vector<std::uint8_t> open_;
+};
+
+}  // namespace nuno
