@@ -1,5 +1,6 @@
-// Contact of two pieces of cloth, a vertex with a face or an edge with an edge, with Coulomb friction. The four vertices
-// are x0 (vertex), x1 x2 x3 (face), or x0 x1 (one edge), x2 x3 (the other). Side A is what comes first, side B the other.
+// Contact of two pieces of cloth, a vertex with a face or an edge with an edge, with Coulomb friction. The four
+// vertices are x0 (vertex), x1 x2 x3 (face), or x0 x1 (one edge), x2 x3 (the other). Side A is what comes first, side B
+// the other.
 
 #define CONTACT_VERTEX_FACE 0.0f
 #define CONTACT_EDGE_EDGE 1.0f
@@ -26,7 +27,7 @@ SHARED_FN ClosestPoints closest_points(Real w0, Real w1, Real w2, Real w3, Vec3 
 }
 
 // Of the point p and the face a, b, c, by the region of the face that p lies over (C. Ericson, Real-Time Collision
-// Detection, 2005, 5.1.5). A face without area is its longest edge or a point.
+// Detection, 2005, 5.1.5). Of a face without area the points need not be the closest.
 SHARED_FN ClosestPoints closest_vertex_face(Vec3 p, Vec3 a, Vec3 b, Vec3 c)
 {
     const Real zero = Real(0.0f), one = Real(1.0f);
@@ -114,8 +115,10 @@ SHARED_FN Real layer_gap(Real kind, Vec3 normal, Vec3 x0, Vec3 x1, Vec3 x2, Vec3
 // The least share of the cosine between old and new normal at which the new one is taken: it may turn, not flip, so
 // that a contact remembers its side.
 #define CONTACT_LEAST_TURN 0.2f
-// Of the way to the whole thickness that a substep gives back to layers that are nearer: more would throw them apart.
+// Of the way to the whole thickness that a substep gives back to layers that are nearer, and the speed [m/s] at which it
+// does so at most: more would throw them apart.
 #define CONTACT_RECOVERY 0.1f
+#define CONTACT_RECOVERY_SPEED 0.05f
 // The least effective inverse mass over the largest of its vertices: pins that bear nearly all of a contact would
 // otherwise let an impulse throw the rest any distance.
 #define CONTACT_LEAST_MOBILITY 0.1f
@@ -142,23 +145,33 @@ SHARED_FN Vec3 contact_way(ClosestPoints c, Vec3 y0, Vec3 y1, Vec3 y2, Vec3 y3)
     return way;
 }
 
+struct ContactTerms
+{
+    Real thickness;  // [m]
+    Real h;          // length of the substep [s]
+    Friction friction;
+};
+
 // What each side is to be moved by, times weight and inverse mass of a vertex [m kg], so that after a substep in which
 // the closest points went `way` [m] relative to each other and stand `gap` [m] apart along `normal`,
-//     gap >= target = min(thickness, g0 + CONTACT_RECOVERY (thickness - g0)),   g0 = max(gap - normal.way, 0),
+//     gap >= target = min(thickness, g0 + min(CONTACT_RECOVERY (thickness - g0), CONTACT_RECOVERY_SPEED h)),
+//     g0 = max(gap - normal.way, 0), h the length of the substep [s],
 // with what Coulomb takes of the way across: all of it where that is less than resting times what is pushed, else
 // kinetic times as much. 0 where the gap is wide enough.
-SHARED_FN Vec3 contact_push(Vec3 normal, Real gap, Vec3 way, Real thickness, Friction friction, Real mobility)
+SHARED_FN Vec3 contact_push(Vec3 normal, Real gap, Vec3 way, ContactTerms terms, Real mobility)
 {
     const Real zero = Real(0.0f), one = Real(1.0f);
     PRECISE Real along = dot_product(normal, way);
     PRECISE Real start = max_real(gap - along, zero);
-    PRECISE Real target = min_real(thickness, start + Real(CONTACT_RECOVERY) * (thickness - start));
+    PRECISE Real recovery =
+        min_real(Real(CONTACT_RECOVERY) * (terms.thickness - start), Real(CONTACT_RECOVERY_SPEED) * terms.h);
+    PRECISE Real target = min_real(terms.thickness, start + recovery);
     PRECISE Real depth = target - gap;
     if (depth <= zero || mobility <= zero) return Vec3(zero);
     PRECISE Vec3 across = way - along * normal;
     PRECISE Real length = max_real(vector_length(across), Real(1e-12f));
-    PRECISE Real kept = max_real(one - friction.kinetic * depth / length, zero);
-    if (length <= friction.resting * depth) kept = zero;
+    PRECISE Real kept = max_real(one - terms.friction.kinetic * depth / length, zero);
+    if (length <= terms.friction.resting * depth) kept = zero;
     PRECISE Vec3 push = (depth * normal - (one - kept) * across) / mobility;
     return push;
 }

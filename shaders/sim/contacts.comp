@@ -21,7 +21,7 @@ layout(std430, binding = BLOCK_POSITIONS) coherent buffer Positions { vec4 posit
 layout(std430, binding = BLOCK_VELOCITIES) readonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = BLOCK_CONTACT_VELOCITIES) writeonly buffer NewVelocities { vec4 new_velocities[]; };
 layout(std430, binding = BLOCK_START_POSITIONS) buffer StartPositions { vec4 start_positions[]; };
-layout(std430, binding = BLOCK_CONTACTS) buffer Contacts { LayerContact contacts[]; };
+layout(std430, binding = BLOCK_CONTACTS) coherent buffer Contacts { LayerContact contacts[]; };
 layout(std430, binding = BLOCK_END_POSITIONS) buffer EndPositions { vec4 end_positions[]; };
 layout(binding = UNIT_COLOURS) uniform usamplerBuffer colour_starts;
 layout(location = LOCATION_SUBSTEP) uniform float substep;
@@ -47,8 +47,8 @@ void answer(int i)
     contacts[i].normal = normal;
     float mobility = contact_mobility(c, x0.w, x1.w, x2.w, x3.w);
     vec3 push = contact_push(normal, dot_product(normal, c.separation),
-                             contact_way(c, way(v.x), way(v.y), way(v.z), way(v.w)), contacts[i].thickness,
-                             Friction(friction.x, friction.y), mobility);
+                             contact_way(c, way(v.x), way(v.y), way(v.z), way(v.w)),
+                             ContactTerms(contacts[i].thickness, substep, Friction(friction.x, friction.y)), mobility);
     if (push == vec3(0.0)) return;
     move_by(v.x, push, c.w0);
     move_by(v.y, push, c.w1);
@@ -78,9 +78,11 @@ void main()
     barrier();
     for (int vertex = first; vertex < vertex_count; vertex += CONTACT_GROUP) {
         vec4 now = positions[vertex];
-        precise vec3 gain = (now.xyz - end_positions[vertex].xyz) / substep;
-        precise vec3 velocity = velocities[vertex].xyz + gain;
-        new_velocities[vertex] = vec4(velocity, velocities[vertex].w);
+        vec4 velocity = velocities[vertex];
+        vec3 end = end_positions[vertex].xyz;
+        precise vec3 gain = (now.xyz - end) / substep;
+        precise vec3 faster = velocity.xyz + gain;
+        new_velocities[vertex] = now.xyz == end ? velocity : vec4(faster, velocity.w);
         start_positions[vertex] = now;
     }
 }

@@ -61,7 +61,20 @@ struct RunResult
     ExitCode code = ExitCode::done;
     RunRecorder recorder;
     std::optional<Error> went_bad;  // with what came before it recorded
+    std::uint64_t unresolved = 0;   // pairs of layers that the level of collision let through, in all frames
+    int first_unresolved = 0;       // the first frame with one
 };
+
+// 1 where the run did not keep what its level of collision promises; says so on stderr.
+ExitCode report_promise(const SceneRun& run, const RunResult& result)
+{
+    if (run.params.collision != CollisionLevel::guaranteed || result.unresolved == 0) return ExitCode::done;
+    fmt::print(stderr,
+               "nuno: {}: layers touch or pass through one another, {} times, first in frame {}: `guaranteed` needs a "
+               "start in which none do\n",
+               run.scene.name, result.unresolved, result.first_unresolved);
+    return ExitCode::check_failed;
+}
 
 // Simulates and writes one frame.
 void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulation& simulation, FrameOutput& output,
@@ -69,6 +82,8 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
 {
     FrameStats stats;
     if (frame > 0) stats = simulation.advance_frame();
+    if (stats.count.unresolved > 0 && result.unresolved == 0) result.first_unresolved = frame;
+    result.unresolved += stats.count.unresolved;
     if (frame % flags.every == 0) output.write(simulation, stats.stage_ms);
     if (!flags.common.json.empty() || (run.check_applies && run.scene.check.frames > 0))
         result.recorder.add(stats, simulation.diagnostics());
@@ -96,6 +111,7 @@ RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& 
         progress.show(frame + 1);
     }
     output.finish();
+    if (result.code == ExitCode::done) result.code = report_promise(run, result);
     return result;
 }
 

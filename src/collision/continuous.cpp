@@ -105,6 +105,7 @@ void ContinuousCollision::mark(const std::vector<Impact>& impacts)
 
 bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings& settings, LayerCounts& counts)
 {
+    const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
     std::vector<Impact> all;
     std::vector<glm::dvec3> start, positions;
     std::vector<double> inverse_masses;
@@ -120,7 +121,8 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
                 inverse_masses.push_back(double(pass.end[v].w));
             }
         positions.assign(pass.end.begin(), pass.end.end());
-        for (Impact& impact : impacts) impact.target = kImpactGap * double(settings.thickness);
+        for (Impact& impact : impacts)
+            impact.target = std::min(kImpactGap * double(settings.thickness), double(kept_distance(impact.pair, rest)));
         all.insert(all.end(), impacts.begin(), impacts.end());
         answer_impacts(all, start, {double(settings.friction), inverse_masses}, positions);
 
@@ -144,6 +146,7 @@ void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, LayerCoun
         ++counts.rollbacks;
         if (round == kMostRounds) {
             std::copy(pass.start.begin(), pass.start.end(), pass.end.begin());
+            counts.standstill = true;
             return;
         }
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});

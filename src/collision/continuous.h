@@ -1,5 +1,5 @@
-// Levels `speculative`, `continuous` and `guaranteed` (docs/collision.md): contacts found ahead of a pass for solvers to
-// keep, and after it what the whole way of the cloth would run into.
+// Levels `speculative`, `continuous` and `guaranteed` (docs/collision.md): contacts found ahead of a pass for solvers
+// to keep, and after it what the whole way of the cloth would run into.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,8 @@ struct LayerCounts
     std::uint32_t touching = 0;    // pairs that touched at the start already
     std::uint32_t unresolved = 0;  // impacts that are left
     double way_m = 0, lost_m = 0;  // of all vertices together: in the pass, and what was taken of it
-    bool changed = false;          // whether any vertex was moved
+    bool standstill = false;       // whether all of the cloth went back to the start
+    bool changed = false;          // whether any vertex may have been moved
 };
 
 class ContinuousCollision

@@ -1,5 +1,5 @@
-// Vertices and edges of a mesh, each owned by one of its faces, so that what is done for pairs of faces is done once for
-// every pair of a vertex and a face and of two edges.
+// Vertices and edges of a mesh, each owned by one of its faces, so that what is done for pairs of faces is done once
+// for every pair of a vertex and a face and of two edges.
 #pragma once
 
 #include <array>

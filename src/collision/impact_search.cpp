@@ -58,7 +58,8 @@ std::optional<Impact> find_impact(const ElementPair& pair, const PassWay& way)
     if (apart) return std::nullopt;
     const formulas_f64::ClosestPoints at_start = closest_points(pair.kind, t0);
     const double distance = glm::length(at_start.separation);
-    const std::optional<double> time = time_of_impact(pair.kind, t0, t1, std::min(kLeastGap, 0.5 * distance));
+    const std::optional<double> time =
+        time_of_impact(pair.kind, t0, t1, std::min(kLeastGap, 0.5 * distance_at_least(pair.kind, t0)));
     if (!time) return std::nullopt;
 
     FourPoints then;

@@ -13,8 +13,8 @@
 
 namespace nuno {
 
-// What keeps elements apart for good, however little: a gap that no rounding closes [m]. Those nearer than twice that at
-// the start may come half as near again.
+// What keeps elements apart for good, however little: a gap that no rounding closes [m]. Those nearer than twice that
+// at the start may come half as near again.
 constexpr double kLeastGap = 1e-5;
 
 // The cloth on its way. What is tested is what is stored: positions are floats, [m].

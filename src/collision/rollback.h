@@ -17,7 +17,8 @@ struct RollbackCounts
 };
 
 // Puts every vertex of an impact back to `kept` times the earliest time of the impacts that hang together with it, from
-// `end` towards `start` [m]: end = start + kept time (end - start), rounded to float. Marks them in `moved`, one a vertex.
+// `end` towards `start` [m]: end = start + kept time (end - start), rounded to float. Marks them in `moved`, one a
+// vertex.
 RollbackCounts roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
                          std::span<glm::vec4> end, std::span<std::uint8_t> moved);
 

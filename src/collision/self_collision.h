@@ -37,14 +37,14 @@ struct CollisionStep
 // What a pass did, named as in the report.
 struct CollisionCounts
 {
-    std::uint64_t pairs_tested = 0;  // of a vertex and a face: their boxes overlap
+    std::uint64_t pairs_tested = 0;  // of a vertex and a face, or two edges: their boxes overlap
     std::uint64_t pairs_culled = 0;  // inside the nodes that the culling skipped, a vertex's own faces included
-    std::uint32_t contacts = 0;
-    std::uint32_t impacts = 0, zones = 0, rollbacks = 0;  // of the continuous levels
-    std::uint32_t unresolved = 0;  // pairs that passed through each other, if count_pass_through was called
+    std::uint32_t contacts = 0;      // found, or foreseen
+    std::uint32_t impacts = 0, zones = 0, rollbacks = 0, standstills = 0;  // of the continuous levels
+    std::uint32_t unresolved = 0;  // pairs left by `continuous`, touching, or passed through, if that was counted
 };
 
-// A pass is refit, query, respond, in this order; each does nothing where the level is `none`. Results do not depend on
+// A pass is refit, query, respond, in this order; each does nothing but at `discrete`. Results do not depend on
 // the number of threads.
 class SelfCollision
 {

@@ -1,5 +1,5 @@
-// Level `speculative`: what may come closer than the cloth is thick until the next pass, found ahead so that solvers can
-// keep it apart in every substep.
+// Level `speculative`: what may come closer than the cloth is thick until the next pass, found ahead so that solvers
+// can keep it apart in every substep.
 #pragma once
 
 #include <cstdint>

@@ -22,6 +22,7 @@ Json counts_json(const CollisionCounts& count)
             {"impacts", count.impacts},
             {"zones", count.zones},
             {"rollbacks", count.rollbacks},
+            {"standstills", count.standstills},
             {"unresolved", count.unresolved}};
 }
 

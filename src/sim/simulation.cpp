@@ -178,7 +178,9 @@ void Simulation::foresee_contacts(FrameStats& stats, float interval_s)
     solver_->set_contacts(contacts, model_->vertex_count());
     keeps_contacts_ = !contacts.empty();
     stats.stage_ms.upload += watch.lap_ms();
-    stats.count.contacts += static_cast<std::uint32_t>(contacts.size());
+    const auto contact_count = static_cast<std::uint32_t>(contacts.size());
+    stats.count.contacts += contact_count;
+    stats.peak_contacts = std::max(stats.peak_contacts, contact_count);
 }
 
 void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
@@ -190,14 +192,17 @@ void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
     const LayerCounts counts =
         layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
     stats.stage_ms.respond += watch.lap_ms();
+    if (held_) held_->position = glm::vec3(state_.positions[held_->vertex]);
     if (counts.changed) {
         solver_->upload_positions(state_.positions);
         solver_->upload_velocities(state_.velocities);
         stats.stage_ms.upload += watch.lap_ms();
     }
+    stats.count.pairs_tested += counts.pairs_tested;
     stats.count.impacts += counts.impacts;
     stats.count.zones += counts.zones;
     stats.count.rollbacks += counts.rollbacks;
+    stats.count.standstills += counts.standstill;
     stats.count.unresolved += counts.unresolved + counts.touching;
 }
 

@@ -1,4 +1,5 @@
 // Headless runs as scripts use them: files, hashes, reports, exit codes.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stb_image.h>
@@ -103,6 +104,31 @@ TEST(RenderCommand, a_scene_that_fails_its_end_check_exits_with_1)
     std::vector<std::string> changed = words;
     changed.insert(changed.end(), {"--set", "gravity_y=-1"});
     EXPECT_EQ(run_program(changed).exit_code, 0) << "the check is for the scene as written";
+}
+
+TEST(RenderCommand, a_promise_that_is_not_kept_exits_with_1_and_says_where)
+{
+    const TemporaryDirectory directory;
+    const std::string sheet =
+        "[[sheet]]\ncolumns = 3\norigin = [0, 0, {}]\nacross = [1, 0, 0]\ndown = [0, 0, 1]\npins = [\"top\"]\n";
+    const auto scene = [&](const char* name, const char* z) {
+        return directory
+            .write(name,
+                   "title = \"two\"\n" + fmt::format(fmt::runtime(sheet), 0) + fmt::format(fmt::runtime(sheet), z))
+            .string();
+    };
+    const std::vector<std::string> words{"--frames", "3",           "--no-images", "--backend",
+                                         "cpu",      "--collision", "guaranteed"};
+    const auto run = [&](const std::string& path) {
+        std::vector<std::string> all{"render", path};
+        all.insert(all.end(), words.begin(), words.end());
+        return run_program(all);
+    };
+    const ProgramResult touching = run(scene("touching.toml", "0.5"));
+    EXPECT_EQ(touching.exit_code, 1);
+    EXPECT_THAT(touching.err, HasSubstr("layers touch"));
+    EXPECT_THAT(touching.err, HasSubstr("first in frame 1"));
+    EXPECT_EQ(run(scene("apart.toml", "1.5")).exit_code, 0);
 }
 
 TEST(RenderCommand, a_run_that_goes_bad_exits_with_3_and_advice)

@@ -1,7 +1,9 @@
 // Finds what collides between two frames of one mesh, its vertices going straight from one to the other, through nuno's
 // own tree and continuous tests.
-//   mesh_ccd T0.ply T1.ply     prints a line "vf,vertex,face" or "ee,vertex,vertex,vertex,vertex" for each pair without a
-// common vertex that meets, numbers as in the files; times on stderr. Exit 0, or 2 where the files are no such meshes.
+//   mesh_ccd T0.ply T1.ply
+// prints a line "vf,vertex,face" or "ee,vertex,vertex,vertex,vertex" for each pair without a common vertex that meets,
+// numbers as in the files; times on stderr. Exit 0, or 2 where the files are no such meshes. A vertex of no face is no
+// part of the mesh.
 #include <fmt/format.h>
 
 #include <algorithm>

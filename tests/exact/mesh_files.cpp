@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -20,6 +21,25 @@ namespace {
 {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), what));
 }
+
+double to_number(const std::filesystem::path& path, const std::string& word)
+{
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || word.empty())
+        refuse(path, fmt::format("\"{}\" is no number", word));
+    return value;
+}
+
+// `value` as a whole number of 0 .. most.
+std::uint32_t whole(const std::filesystem::path& path, const std::string& what, double value, double most)
+{
+    if (!(value >= 0 && value <= most) || value != std::floor(value))
+        refuse(path, fmt::format("{}: {} is not a whole number of 0 to {}", what, value, most));
+    return static_cast<std::uint32_t>(value);
+}
+
+constexpr double kMostVertices = 4e9;
 
 enum class PlyForm
 {
@@ -64,7 +84,9 @@ PlyHeader read_header(const std::filesystem::path& path, std::istream& in)
                                                         : throw std::runtime_error(path.string() + ": format " + word);
         } else if (word == "element") {
             PlyElement element;
-            words >> element.name >> element.count;
+            std::string count;
+            words >> element.name >> count;
+            element.count = whole(path, "count of " + element.name, to_number(path, count), 4e9);
             header.elements.push_back(element);
         } else if (word == "property" && !header.elements.empty()) {
             PlyProperty property;
@@ -89,12 +111,9 @@ class PlyNumbers
     {
         if (form_ == PlyForm::ascii) {
             std::string word;
-            double value = 0;
             if (!(in_ >> word)) refuse(path_, "ends too early");
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-            if (error != std::errc() || end != word.data() + word.size())
-                refuse(path_, fmt::format("\"{}\" is no number", word));
-            return value;
+            const double value = to_number(path_, word);
+            return type == "float" || type == "float32" ? double(static_cast<float>(value)) : value;
         }
         if (type == "char" || type == "int8") return read<std::int8_t>();
         if (type == "uchar" || type == "uint8") return read<std::uint8_t>();
@@ -137,12 +156,17 @@ CheckedMesh read_ply(const std::filesystem::path& path, std::istream& in)
                         position[std::size_t(property.name[0] - 'x')] = value;
                     continue;
                 }
-                const auto length = static_cast<std::size_t>(numbers.next(property.count_type));
-                std::vector<double> values(length);
-                for (double& value : values) value = numbers.next(property.type);
-                if (element.name != "face" || property.name.rfind("vertex_ind", 0) != 0) continue;
-                if (length != 3) refuse(path, fmt::format("face {} has {} corners, not 3", i, length));
-                mesh.faces.push_back({std::uint32_t(values[0]), std::uint32_t(values[1]), std::uint32_t(values[2])});
+                const bool corners =
+                    element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+                const std::uint32_t length =
+                    whole(path, property.name, numbers.next(property.count_type), corners ? 1e3 : kMostVertices);
+                if (corners && length != 3) refuse(path, fmt::format("face {} has {} corners, not 3", i, length));
+                std::array<std::uint32_t, 3> face{};
+                for (std::uint32_t n = 0; n < length; ++n) {
+                    const double value = numbers.next(property.type);
+                    if (corners) face[n] = whole(path, fmt::format("face {}", i), value, kMostVertices);
+                }
+                if (corners) mesh.faces.push_back(face);
             }
             if (element.name == "vertex") mesh.positions.push_back(position);
         }
@@ -157,14 +181,16 @@ CheckedMesh read_obj(const std::filesystem::path& path, std::istream& in)
         std::istringstream words(line);
         if (!(words >> word)) continue;
         if (word == "v") {
-            std::array<double, 3> x{};
+            std::array<float, 3> x{};
             if (!(words >> x[0] >> x[1] >> x[2])) refuse(path, fmt::format("line {}: no position", number));
-            mesh.positions.push_back(x);
+            mesh.positions.push_back({double(x[0]), double(x[1]), double(x[2])});
         } else if (word == "f") {
             std::vector<std::uint32_t> corners;
             while (words >> word) {
-                const long index = std::stol(word);
-                corners.push_back(std::uint32_t(index < 0 ? long(mesh.positions.size()) + index : index - 1));
+                const std::string index = word.substr(0, word.find('/'));
+                const double value = to_number(path, index);
+                const double from_first = value < 0 ? double(mesh.positions.size()) + value : value - 1;
+                corners.push_back(whole(path, fmt::format("line {}", number), from_first, kMostVertices));
             }
             if (corners.size() != 3) refuse(path, fmt::format("line {}: {} corners, not 3", number, corners.size()));
             mesh.faces.push_back({corners[0], corners[1], corners[2]});
@@ -179,7 +205,10 @@ CheckedMesh read_mesh(const std::filesystem::path& path)
 {
     std::ifstream in(path, std::ios::binary);
     if (!in) refuse(path, "cannot be read");
-    CheckedMesh mesh = path.extension() == ".ply" ? read_ply(path, in) : read_obj(path, in);
+    const bool ply = path.extension() == ".ply";
+    if (!ply && path.extension() != ".obj") refuse(path, "its name ends neither in .ply nor in .obj");
+    CheckedMesh mesh = ply ? read_ply(path, in) : read_obj(path, in);
+    if (mesh.faces.empty()) refuse(path, "has no face");
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         for (const std::uint32_t v : mesh.faces[f])
             if (v >= mesh.positions.size())

@@ -1,4 +1,4 @@
-// Reads the meshes that the checking programs look at: PLY (ascii and binary) and OBJ, triangles only, positions in double.
+// Reads the meshes that the checking programs look at: PLY (ascii and binary) and OBJ, triangles only.
 #pragma once
 
 #include <array>
@@ -10,11 +10,12 @@ namespace nuno {
 
 struct CheckedMesh
 {
-    std::vector<std::array<double, 3>> positions;
+    std::vector<std::array<double, 3>> positions;     // as precise as the type that a PLY file names; of OBJ, float
     std::vector<std::array<std::uint32_t, 3>> faces;  // counted as in the file
 };
 
-// std::runtime_error naming the file, and line or element, where it is no such mesh or a face names no vertex.
+// std::runtime_error naming the file, and line or element, where it is no such mesh, has no face, or a face names no
+// vertex.
 CheckedMesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace nuno

@@ -1,6 +1,7 @@
 // Counts the pairs of faces that intersect in meshes, by exact predicates of CGAL; shares no code with nuno.
-//   mesh_intersections FILE...     prints "FILE: N" for each; exit 0 if all N are 0, 1 if not, 2 where a file is no mesh,
-// holds a number that is not finite, or a face without area.
+//   mesh_intersections FILE...
+// prints "FILE: N" for each; exit 0 if all N are 0, 1 if not, 2 where a file is no mesh, holds a number that is not
+// finite, or a face without area.
 // Faces with a common edge count where they are folded onto each other, faces with a common vertex where one meets the
 // edge of the other that is opposite to it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

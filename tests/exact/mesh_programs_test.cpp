@@ -126,12 +126,40 @@ TEST_F(MeshPrograms, what_is_no_mesh_is_refused_by_name)
     for (const std::string& text :
          {ply_of({{0, 0, 0}, {1, 0, 0}, {NAN, 1, 0}}, {{0, 1, 2}}), ply_of(kFloor, {{0, 1, 3}}),
           ply_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), ply_of(kFloor, {{0, 1, 2, 0}}),
-          std::string("plank\n"), ply_of(kFloor, {{0, 1, 2}}).substr(0, 150)})
+          std::string("plank\n"), ply_of({}, {}), ply_of(kFloor, {}),
+          std::string("ply\nformat ascii 1.0\nelement vertex abc\nend_header\n"),
+          std::string("ply\nformat ascii 1.0\nelement foo -5\nend_header\n"), ply_of(kFloor, {{0, 1, -1}}),
+          ply_of(kFloor, {{0, 1, 2}}).substr(0, 150)})
     {
         const ProgramResult result = intersections(text);
         EXPECT_EQ(result.exit_code, 2) << text;
         EXPECT_NE(result.err.find("a.ply: "), std::string::npos) << result.err;
     }
+}
+
+TEST_F(MeshPrograms, an_obj_that_is_none_is_refused_by_name)
+{
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (const std::string& text : {vertices + "f 1 2 x\n", vertices + "f 4294967297 2 3\n", vertices + "f 1.5 2 3\n",
+                                    vertices + "f 0 1 2\n", std::string("hello\n")})
+    {
+        const ProgramResult result = intersections(text, "a.obj");
+        EXPECT_EQ(result.exit_code, 2) << text;
+        EXPECT_NE(result.err.find("a.obj: "), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(intersections(vertices + "f 1 2 3\n", "a.txt").exit_code, 2);
+}
+
+// 0.1 and the float next to it are apart, but not as nine digits in double.
+TEST_F(MeshPrograms, positions_are_the_floats_that_were_written)
+{
+    const std::string text = intersections(ply_of({{0, 0, 0.1f}, {1, 0, 0.1f}, {0, 1, 0.1f}}, {{0, 1, 2}})).out;
+    EXPECT_NE(text.find(": 0\n"), std::string::npos);
+    const std::vector<Vertex> above{{0.2f, 0.2f, std::nextafterf(0.1f, 1)}, {0.3f, 0.2f, 1}, {0.2f, 0.3f, 2}};
+    std::vector<Vertex> vertices{{0, 0, 0.1f}, {1, 0, 0.1f}, {0, 1, 0.1f}};
+    vertices.insert(vertices.end(), above.begin(), above.end());
+    const ProgramResult result = intersections(ply_of(vertices, {{0, 1, 2}, {3, 4, 5}}));
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
 
 TEST_F(MeshPrograms, a_vertex_through_a_face_and_the_edges_that_it_takes_along_collide)

@@ -65,10 +65,10 @@ void CpuContacts::answer_one(LayerContact& contact, const SimParams& params)
     contact.normal = formulas::contact_normal(contact.normal, c.separation);
     const float mobility =
         formulas::contact_mobility(c, inverse_mass(0), inverse_mass(1), inverse_mass(2), inverse_mass(3));
+    const formulas::ContactTerms terms{contact.thickness, substep_s(params), {params.friction, params.static_friction}};
     const glm::vec3 push =
         formulas::contact_push(contact.normal, formulas::dot_product(contact.normal, c.separation),
-                               formulas::contact_way(c, way(0), way(1), way(2), way(3)), contact.thickness,
-                               {params.friction, params.static_friction}, mobility);
+                               formulas::contact_way(c, way(0), way(1), way(2), way(3)), terms, mobility);
     if (push == glm::vec3(0)) return;
     const float weights[] = {c.w0, c.w1, c.w2, c.w3};
     for (int corner = 0; corner < 4; ++corner) {

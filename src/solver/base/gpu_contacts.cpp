@@ -1,6 +1,9 @@
 // Uploads contacts and runs their kernel.
 #include "solver/base/gpu_contacts.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "gl/barriers.h"
 #include "model/stability.h"
 #include "shaders/shared/bindings.h"
@@ -21,6 +24,20 @@ static_assert(sizeof(ContactRecord) == 48);
 Buffer vertex_buffer(std::uint32_t vertex_count)
 {
     return Buffer(vertex_count * sizeof(glm::vec4), nullptr, GL_DYNAMIC_COPY);
+}
+
+// Software renderers end the loops of an invocation after 65535 turns in all, and a colour takes some three.
+constexpr int kMostColours = 16000;
+
+void check_fits(std::size_t bytes, int colour_count)
+{
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    if (static_cast<GLint64>(bytes) > most || colour_count > kMostColours)
+        throw Error(
+            fmt::format("{} contacts between layers in {} colours are more than this device takes ({} bytes, {} "
+                        "colours); lower `thickness`, or set backend to cpu",
+                        bytes / sizeof(ContactRecord), colour_count, most, kMostColours));
 }
 
 }  // namespace
@@ -44,6 +61,7 @@ void GpuContacts::set(std::span<const LayerContact> contacts, const Buffer& posi
     records.reserve(contacts.size());
     for (const LayerContact& c : colours.contacts) records.push_back({c.vertices, c.normal, c.kind, c.thickness});
     const std::size_t bytes = records.size() * sizeof(ContactRecord);
+    check_fits(bytes, colour_count_);
     if (contacts_.size_bytes() < bytes) contacts_ = Buffer(bytes + bytes / 2, nullptr, GL_DYNAMIC_DRAW);
     contacts_.update(0, records);
     colour_starts_.upload(colours.starts);

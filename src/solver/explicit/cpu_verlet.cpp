@@ -66,6 +66,13 @@ void CpuVerlet::upload_velocities(std::span<const glm::vec4> velocities)
     accelerations_for_.reset();
 }
 
+// Whether anything moved or not, as on the GPU.
+void CpuVerlet::move_vertices(std::span<const VertexMove> moves)
+{
+    CpuSolver::move_vertices(moves);
+    accelerations_for_.reset();
+}
+
 void CpuVerlet::set_vertex(std::uint32_t vertex, glm::vec4 position)
 {
     CpuSolver::set_vertex(vertex, position);

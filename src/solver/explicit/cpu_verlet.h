@@ -24,6 +24,7 @@ class CpuVerlet final : public CpuSolver
     void step(const StepInput& input) override;
 
   private:
+    void move_vertices(std::span<const VertexMove> moves) override;
     void step_part(const StepInput& input, const Team& team);
     VerletPass pass_at(const StepInput& input, int substep);
 

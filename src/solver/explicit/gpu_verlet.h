@@ -23,6 +23,7 @@ class GpuVerlet final : public GpuSolver
     void step(const StepInput& input) override;
 
   private:
+    void take_contact_velocities() override { accelerations_for_.reset(); }
     void compile();
     void find_accelerations(const StepInput& input);
     // Ends substep `substep` - 1 and begins substep `substep`, where there are such.
