@@ -7,6 +7,7 @@
 #include "shared/euler.h"
 #include "shared/body_shapes.h"
 #include "shared/push_out.h"
+#include "shared/closest_points.h"
 #include "shared/layer_contact.h"
 
 layout(local_size_x = CONTACT_GROUP) in;
