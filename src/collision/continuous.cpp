@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <glm/geometric.hpp>
-
 #include "collision/rollback.h"
 #include "collision/task_loop.h"
 
@@ -114,7 +112,6 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
         std::vector<Impact> impacts = find_impacts(pass, counts);
         if (round == 0) counts.impacts = static_cast<std::uint32_t>(impacts.size());
         if (impacts.empty()) return true;
-        ++counts.rounds;
         if (start.empty())
             for (std::size_t v = 0; v < pass.start.size(); ++v) {
                 start.emplace_back(pass.start[v]);
@@ -150,10 +147,9 @@ void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, LayerCoun
             return;
         }
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
-        const RollbackCounts rolled =
+        const std::uint32_t clusters =
             roll_back(impacts, round < kPatientRounds ? kKeptWay : 0.0, pass.start, pass.end, dirty_);
-        counts.zones = std::max(counts.zones, rolled.clusters);
-        counts.largest_cluster = std::max(counts.largest_cluster, rolled.largest_cluster);
+        counts.zones = std::max(counts.zones, clusters);
     }
 }
 
@@ -170,10 +166,8 @@ LayerCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSetti
     if (counts.impacts == 0) return counts;
     counts.changed = true;
     for (std::size_t v = 0; v < asked.size(); ++v) {
-        counts.way_m += double(glm::length(glm::vec3(asked[v]) - glm::vec3(pass.start[v])));
         if (asked[v] == pass.end[v]) continue;
         const glm::vec3 change = glm::vec3(pass.end[v]) - glm::vec3(asked[v]);
-        counts.lost_m += double(glm::length(change));
         pass.velocities[v] += glm::vec4(change / pass.duration, 0);
     }
     return counts;

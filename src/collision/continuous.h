@@ -37,10 +37,9 @@ struct LayerCounts
 {
     std::uint64_t pairs_tested = 0;  // whose boxes overlap, in all rounds
     std::uint32_t impacts = 0;       // in the first round
-    std::uint32_t rounds = 0, zones = 0, rollbacks = 0, largest_cluster = 0;
+    std::uint32_t zones = 0, rollbacks = 0;
     std::uint32_t touching = 0;    // pairs that touched at the start already
     std::uint32_t unresolved = 0;  // impacts that are left
-    double way_m = 0, lost_m = 0;  // of all vertices together: in the pass, and what was taken of it
     bool standstill = false;       // whether all of the cloth went back to the start
     bool changed = false;          // whether any vertex may have been moved
 };

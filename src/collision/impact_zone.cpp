@@ -5,15 +5,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/formulas.h"
+
 namespace nuno {
 namespace {
 
 constexpr int kSweeps = 20;
 // Corrections below this [m] end the sweeps.
 constexpr double kDone = 1e-6;
-// The least effective inverse mass over the largest of its vertices (shaders/shared/layer_contact.h says why).
-constexpr double kLeastMobility = 0.1;
-
 struct Weighed
 {
     double mobility;  // sum w^2 inverse_mass [1/kg], not too small
@@ -34,7 +33,7 @@ Weighed weigh(const Impact& impact, std::span<const glm::dvec3> start, const Imp
         sum.way += w * (positions[v] - start[v]);
         largest = std::max(largest, m);
     }
-    sum.mobility = std::max(sum.mobility, kLeastMobility * largest);
+    sum.mobility = std::max(sum.mobility, double(CONTACT_LEAST_MOBILITY) * largest);
     return sum;
 }
 

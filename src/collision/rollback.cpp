@@ -31,8 +31,8 @@ class Clusters
 
 }  // namespace
 
-RollbackCounts roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
-                         std::span<glm::vec4> end, std::span<std::uint8_t> moved)
+std::uint32_t roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
+                        std::span<glm::vec4> end, std::span<std::uint8_t> moved)
 {
     std::vector<std::uint32_t> vertices;
     for (const Impact& impact : impacts)
@@ -53,17 +53,15 @@ RollbackCounts roll_back(std::span<const Impact> impacts, double kept, std::span
         time = std::min(time, impact.time);
     }
 
-    RollbackCounts counts;
-    std::vector<std::uint32_t> sizes(vertices.size());
+    std::uint32_t cluster_count = 0;
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
         const std::uint32_t leader = clusters.find(i), v = vertices[i];
-        counts.clusters += sizes[leader] == 0;
-        counts.largest_cluster = std::max(counts.largest_cluster, ++sizes[leader]);
+        cluster_count += leader == i;
         const glm::dvec3 from(start[v]), to(end[v]);
         end[v] = glm::vec4(glm::vec3(from + kept * times[leader] * (to - from)), end[v].w);
         moved[v] = 1;
     }
-    return counts;
+    return cluster_count;
 }
 
 }  // namespace nuno

@@ -11,15 +11,10 @@
 
 namespace nuno {
 
-struct RollbackCounts
-{
-    std::uint32_t clusters = 0, largest_cluster = 0;  // of one round: clusters, and vertices of the largest
-};
-
 // Puts every vertex of an impact back to `kept` times the earliest time of the impacts that hang together with it, from
 // `end` towards `start` [m]: end = start + kept time (end - start), rounded to float. Marks them in `moved`, one a
-// vertex.
-RollbackCounts roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
-                         std::span<glm::vec4> end, std::span<std::uint8_t> moved);
+// vertex; returns the number of clusters.
+std::uint32_t roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
+                        std::span<glm::vec4> end, std::span<std::uint8_t> moved);
 
 }  // namespace nuno
