@@ -20,11 +20,17 @@ struct Bench
         : pose(amplitude > 0 ? crumpled_sheet(static_cast<int>(state.range(0)), amplitude, 1)
                              : flat_sheet(static_cast<int>(state.range(0)))),
           pool(static_cast<int>(state.range(1))),
-          collision(pose.rest, pose.faces, pool),
+          collision(pose.rest, pose.faces, pose.sheets, pool),
           velocities(pose.positions.size())
     {
-        settings.culling = state.range(2) != 0 ? Culling::seed : Culling::none;
+        settings.culling = static_cast<Culling>(state.range(2));
         settings.range = {0.25f / static_cast<float>(state.range(0)), 0.05f};
+    }
+    // Every vertex a sphere as wide as the spacing.
+    void use_spheres(const benchmark::State& state)
+    {
+        settings.level = CollisionLevel::spheres;
+        settings.range.thickness = 1.0f / static_cast<float>(state.range(0));
     }
     CollisionStep step() { return {pose.positions, pose.positions, velocities, 0.01f}; }
     void count(benchmark::State& state)
@@ -44,7 +50,7 @@ void query(benchmark::State& state, float amplitude)
 {
     Bench bench(state, amplitude);
     bench.collision.refit(bench.step(), bench.settings);
-    for (auto _ : state) benchmark::DoNotOptimize(bench.collision.query(bench.step()).data());
+    for (auto _ : state) benchmark::DoNotOptimize(bench.collision.query(bench.step()));
     bench.count(state);
 }
 
@@ -67,13 +73,32 @@ void pass_through(benchmark::State& state, float amplitude)
     state.counters["unresolved"] = bench.collision.counts().unresolved;
 }
 
+// Stage 0: refit, 1: query, 2: respond.
+void spheres(benchmark::State& state, float amplitude, int stage)
+{
+    Bench bench(state, amplitude);
+    bench.use_spheres(state);
+    const std::vector<glm::vec4> positions = bench.pose.positions;
+    bench.collision.refit(bench.step(), bench.settings);
+    bench.collision.query(bench.step());
+    bench.count(state);
+    for (auto _ : state) {
+        if (stage == 0) bench.collision.refit(bench.step(), bench.settings);
+        if (stage == 1) benchmark::DoNotOptimize(bench.collision.query(bench.step()));
+        if (stage == 2) {
+            bench.collision.respond(bench.step());
+            bench.pose.positions = positions;
+        }
+    }
+}
+
 constexpr float kFlat = 0, kCrumpled = 0.1f;
 
 void all_sizes(benchmark::internal::Benchmark* b)
 {
-    b->ArgNames({"side", "threads", "seed_culling"})->Unit(benchmark::kMicrosecond)->UseRealTime();
+    b->ArgNames({"side", "threads", "culling"})->Unit(benchmark::kMicrosecond)->UseRealTime();
     for (const int side : {17, 64, 128}) b->Args({side, 1, 0});
-    b->Args({128, 2, 0})->Args({128, 1, 1});
+    b->Args({128, 2, 0})->Args({128, 1, 1})->Args({128, 1, 2});
 }
 
 BENCHMARK_CAPTURE(refit, flat, kFlat)->Apply(all_sizes);
@@ -82,6 +107,10 @@ BENCHMARK_CAPTURE(query, flat, kFlat)->Apply(all_sizes);
 BENCHMARK_CAPTURE(query, crumpled, kCrumpled)->Apply(all_sizes);
 BENCHMARK_CAPTURE(respond, crumpled, kCrumpled)->Apply(all_sizes);
 BENCHMARK_CAPTURE(pass_through, crumpled, kCrumpled)->Apply(all_sizes);
+
+BENCHMARK_CAPTURE(spheres, refit, kCrumpled, 0)->Apply(all_sizes);
+BENCHMARK_CAPTURE(spheres, query, kCrumpled, 1)->Apply(all_sizes);
+BENCHMARK_CAPTURE(spheres, respond, kCrumpled, 2)->Apply(all_sizes);
 
 }  // namespace
 }  // namespace nuno

@@ -50,6 +50,7 @@ void add_common_flags(CLI::App& command, CommonFlags& flags)
     command.add_option("--threads", flags.threads, "CPU threads, 0 for one a core")->take_last();
     command.add_option("--seed", flags.seed, "Random seed of the start; 0 starts exactly as the scene says")
         ->take_last();
+    command.add_flag("--untangle", flags.untangle, "Take layers apart that cross at the start; short for --set");
     command.add_option("--json", flags.json, "Write the report to FILE")->take_last();
     command.add_flag("--hash", flags.hash, "Print the hash of the final state as the last line");
     command.add_flag("--quiet", flags.quiet, "No progress and no remarks");
@@ -75,6 +76,7 @@ SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name)
                                                                 {"seed", flags.seed}};
     for (const auto& [name, text] : named)
         if (!text.empty()) apply(run, name, text, std::string("--") + name);
+    if (flags.untangle) apply(run, "untangle", "true", "--untangle");
     return run;
 }
 

@@ -18,7 +18,7 @@ struct CommonFlags
     std::vector<std::string> sets;                          // NAME=VALUE
     std::string method, backend, collision, threads, seed;  // empty: not given
     std::string json;
-    bool hash = false, quiet = false;
+    bool hash = false, quiet = false, untangle = false;
 };
 
 void add_common_flags(CLI::App& command, CommonFlags& flags);

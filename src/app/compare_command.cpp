@@ -11,10 +11,24 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
+#include "sim/start_check.h"
 #include "study/compare.h"
 #include "study/compare_plot.h"
 
 namespace nuno {
+namespace {
+
+// Where layers cross or touch at the start of a scene, in its own size.
+void remark_on_start(const Scene& scene, const SimParams& params)
+{
+    const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
+    ClothState state = start_state(model, params);
+    ThreadPool pool(params.threads);
+    for (const std::string& line : start_remarks(check_start(model, params, state.positions, pool), params))
+        fmt::print(stderr, "{}: {}\n", scene.name, line);
+}
+
+}  // namespace
 
 void add_compare_flags(CLI::App& command, CompareFlags& flags)
 {
@@ -28,6 +42,7 @@ int run_compare(const CompareFlags& flags)
     std::vector<std::pair<Scene, SimParams>> runs;
     for (const std::string& name : flags.scenes.empty() ? scene_names() : flags.scenes) {
         SceneRun run = prepare_run(flags.common, name);
+        if (!flags.common.quiet) remark_on_start(run.scene, run.params);
         runs.emplace_back(std::move(run.scene), run.params);
     }
     const std::filesystem::path out = flags.out;

@@ -80,6 +80,16 @@ void draw_stability(const SimParams& params, const PresentStability& stability)
     ImGui::EndTable();
 }
 
+// What the levels that look at whole ways did; nothing where nothing met.
+void draw_impacts(const CollisionCounts& count)
+{
+    if (count.impacts == 0 && count.unresolved == 0) return;
+    text_pair("impacts", fmt::format("{}", count.impacts));
+    text_pair("went back", fmt::format("{} times, {} vertices at most", count.rollbacks, count.largest_zone));
+    if (count.held_back > 0) text_pair("handles held back", fmt::format("{} vertices", count.held_back));
+    text_pair("unresolved", fmt::format("{}", count.unresolved));
+}
+
 void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog& log)
 {
     ImGui::Checkbox("energy and strain", &meters.measure);
@@ -89,6 +99,7 @@ void draw_cloth_numbers(const SimParams& params, ViewerMeters& meters, ViewerLog
     if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingFixedFit)) return;
     text_pair("contacts", fmt::format("{}", meters.count.contacts));
     text_pair("pairs tested", fmt::format("{}", meters.count.pairs_tested));
+    draw_impacts(meters.count);
     if (meters.diagnostics) {
         const Diagnostics& d = *meters.diagnostics;
         text_pair("kinetic energy", fmt::format("{:.4g} J", d.kinetic_j));

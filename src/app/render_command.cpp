@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/frame_output.h"
 #include "app/interrupt.h"
@@ -12,7 +15,9 @@
 #include "app/progress.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "sim/pose_check.h"
 #include "sim/run_recorder.h"
+#include "sim/start_check.h"
 
 namespace nuno {
 namespace {
@@ -60,20 +65,52 @@ struct RunResult
 {
     ExitCode code = ExitCode::done;
     RunRecorder recorder;
-    std::optional<Error> went_bad;  // with what came before it recorded
-    std::uint64_t unresolved = 0;   // pairs of layers that the level of collision let through, in all frames
-    int first_unresolved = 0;       // the first frame with one
+    std::optional<Error> went_bad;     // with what came before it recorded
+    std::unique_ptr<PoseCheck> check;  // where asked for
+    std::uint64_t touching = 0;        // pairs of layers that touched as a pass began, in all frames
+    std::uint64_t unresolved = 0;      // pairs of layers that the level of collision let through, in all frames
+    int first_unresolved = 0;          // the first frame with one
 };
 
-// 1 where the run did not keep what its level of collision promises; says so on stderr.
-ExitCode report_promise(const SceneRun& run, const RunResult& result)
+// Why a run at `guaranteed` did not keep its promise; empty where it did.
+std::vector<std::string> broken_promises(const StartCheck& start, const RunResult& result, bool one_pass)
 {
-    if (run.params.collision != CollisionLevel::guaranteed || result.unresolved == 0) return ExitCode::done;
-    fmt::print(stderr,
-               "nuno: {}: layers touch or pass through one another, {} times, first in frame {}: `guaranteed` needs a "
-               "start in which none do\n",
-               run.scene.name, result.unresolved, result.first_unresolved);
-    return ExitCode::check_failed;
+    std::vector<std::string> reasons;
+    if (start.tangled.crossing > 0)
+        reasons.push_back(
+            fmt::format("{} pairs of faces crossed at the start, the first where {}; take them apart in "
+                        "the scene or with --untangle",
+                        start.tangled.crossing, start.places.front()));
+    if (start.tangled.touching + result.touching > 0)
+        reasons.push_back(
+            fmt::format("layers touched, {} pairs at the start and {} as passes began, and what touches is "
+                        "let be; move the layers apart, and merge vertices that lie in one place",
+                        start.tangled.touching, result.touching));
+    if (result.unresolved > 0)
+        reasons.push_back(fmt::format("layers passed through one another, {} times, first in frame {}",
+                                      result.unresolved, result.first_unresolved));
+    if (result.check) {
+        const CheckCounts& found = result.check->counts();
+        // On the way of a frame with several passes nothing was promised.
+        if (found.intersections() > 0 || (found.passed_through > 0 && one_pass))
+            reasons.push_back(fmt::format("the check found {}, first in frame {}", findings_text(found, one_pass),
+                                          found.first_frame));
+    }
+    return reasons;
+}
+
+// 1 where the run did not keep what its level of collision promises; says so on stderr.
+ExitCode report_promise(const SceneRun& run, const StartCheck& start, const RunResult& result, bool quiet)
+{
+    const bool one_pass = run.params.collision_passes == 1;
+    if (result.check && !quiet)
+        fmt::print(stderr, "{}: check of {} poses: {}\n", run.scene.name, result.check->counts().poses,
+                   findings_text(result.check->counts(), one_pass));
+    if (run.params.collision != CollisionLevel::guaranteed) return ExitCode::done;
+    const std::vector<std::string> reasons = broken_promises(start, result, one_pass);
+    for (const std::string& reason : reasons)
+        fmt::print(stderr, "nuno: {}: `guaranteed` does not hold: {}\n", run.scene.name, reason);
+    return reasons.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
 // Simulates and writes one frame.
@@ -84,6 +121,10 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
     if (frame > 0) stats = simulation.advance_frame();
     if (stats.count.unresolved > 0 && result.unresolved == 0) result.first_unresolved = frame;
     result.unresolved += stats.count.unresolved;
+    result.touching += stats.count.touching;
+    if (result.check && result.check->wants(frame))
+        for (const std::string& line : result.check->look(frame, simulation.state().positions))
+            fmt::print(stderr, "{}: {}\n", run.scene.name, line);
     if (frame % flags.every == 0) output.write(simulation, stats.stage_ms);
     if (!flags.common.json.empty() || (run.check_applies && run.scene.check.frames > 0))
         result.recorder.add(stats, simulation.diagnostics());
@@ -95,6 +136,8 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
 RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& simulation, FrameOutput& output)
 {
     RunResult result;
+    if (flags.check > 0)
+        result.check = std::make_unique<PoseCheck>(simulation.model(), flags.check, simulation.thread_count());
     Progress progress(run.scene.name, flags.frames, flags.common.quiet);
     for (int frame = 0; frame < flags.frames; ++frame) {
         if (interrupted()) {
@@ -111,7 +154,11 @@ RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& 
         progress.show(frame + 1);
     }
     output.finish();
-    if (result.code == ExitCode::done) result.code = report_promise(run, result);
+    if (result.check) result.recorder.check = result.check->counts();
+    if (result.code != ExitCode::interrupted) {
+        const ExitCode promise = report_promise(run, simulation.start_check(), result, flags.common.quiet);
+        if (promise != ExitCode::done) result.code = promise;
+    }
     return result;
 }
 
@@ -121,6 +168,8 @@ void remark(const RenderFlags& flags, const SceneRun& run, const Machine& machin
     if (flags.common.quiet) return;
     machine.remark_on_backend(simulation);
     if (const auto warning = simulation.stability_warning()) fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
+    for (const std::string& line : start_remarks(simulation.start_check(), run.params))
+        fmt::print(stderr, "{}: {}\n", run.scene.name, line);
     const std::string reason = why_unchecked(flags, run);
     if (run.scene.check.frames > 0 && !reason.empty())
         fmt::print(stderr, "{}: the end check is left out; {}\n", run.scene.name, reason);
@@ -142,6 +191,8 @@ void add_render_flags(CLI::App& command, RenderFlags& flags)
     command.add_option("--video", flags.video, "Write a video to FILE, such as cloth.mp4; needs ffmpeg");
     command.add_option("--every", flags.every, "Write every K-th frame")
         ->capture_default_str()
+        ->check(CLI::Range(1, 100000000));
+    command.add_option("--check", flags.check, "Look for intersections in every N-th frame")
         ->check(CLI::Range(1, 100000000));
     command.add_option("--size", flags.size, "Size of the pictures, WxH");
     command.add_flag("--no-images", flags.no_images, "Write no pictures");

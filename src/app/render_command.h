@@ -12,6 +12,7 @@ struct RenderFlags
     CommonFlags common;
     int frames = 240;
     int every = 1;
+    int check = 0;  // looks at the pose of every so many frames; 0: at none
     std::string out;
     std::string mesh = "none";
     std::string pc2, video;

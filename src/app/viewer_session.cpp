@@ -1,6 +1,8 @@
 // The scene that the viewer shows.
 #include "app/viewer_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "core/files.h"
 #include "core/stopwatch.h"
 #include "model/stability.h"
+#include "sim/start_check.h"
 
 namespace nuno {
 namespace {
@@ -34,7 +37,7 @@ std::unique_ptr<SceneView> make_picture(const Simulation& simulation)
 }  // namespace
 
 ViewerSession::ViewerSession(const ViewerOptions& options, ViewerLog& log, bool record)
-    : log_(log), load_(options.load), record_(record), paused_(options.paused)
+    : log_(log), load_(options.load), record_(record), quiet_(options.quiet), paused_(options.paused)
 {
     show(options.start);
 }
@@ -58,6 +61,7 @@ void ViewerSession::started()
     went_bad_ = false;
     error_.clear();
     judge_stability();
+    tell_of_start();
     ++start_count_;
     log_.set_frame(0);
 }
@@ -67,6 +71,17 @@ void ViewerSession::judge_stability()
 {
     stability_warning_ = simulation_->stability_warning();
     if (stability_warning_) stable_substeps_ = least_stable_substeps(simulation_->model(), simulation_->params());
+}
+
+// Of a start that is tangled, on stderr and in the window; a restart that has nothing new says nothing.
+void ViewerSession::tell_of_start()
+{
+    std::vector<std::string> lines = start_remarks(simulation_->start_check(), simulation_->params());
+    if (lines == start_remarks_) return;
+    start_remarks_ = std::move(lines);
+    if (!quiet_)
+        for (const std::string& line : start_remarks_) fmt::print(stderr, "{}: {}\n", simulation_->scene().name, line);
+    if (simulation_->start_check().tangled.crossing > 0) error_ = fmt::format("{}", fmt::join(start_remarks_, "\n"));
 }
 
 void ViewerSession::note_error(const std::exception& error)
@@ -159,6 +174,7 @@ void ViewerSession::set_sim_param(const ParamInfo& info, double value)
             started();
         }
         judge_stability();
+        tell_of_start();
     } catch (const std::exception& error) {
         note_error(error);
     }

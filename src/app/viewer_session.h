@@ -61,13 +61,14 @@ class ViewerSession
     void show(ViewerScene scene);
     void started();
     void judge_stability();
+    void tell_of_start();
     template <class Run>
     std::vector<FrameStats> run(Run run);
     std::vector<FrameStats> advance_recorded(double elapsed_s);
 
     ViewerLog& log_;
     SceneLoader load_;
-    bool record_;
+    bool record_, quiet_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<SceneView> picture_;
     ViewParams view_, file_view_;
@@ -76,6 +77,7 @@ class ViewerSession
     std::string error_;
     std::optional<std::string> stability_warning_;
     int stable_substeps_ = 0;
+    std::vector<std::string> start_remarks_;  // told last
     int start_count_ = 0;
 };
 

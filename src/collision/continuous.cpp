@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 #include "collision/rollback.h"
 #include "collision/task_loop.h"
 
@@ -27,6 +29,11 @@ std::vector<std::uint32_t> sheet_numbers(const ClothModel& model)
     return numbers;
 }
 
+bool is_late(const LayerSettings& settings, const Stopwatch& watch)
+{
+    return settings.budget_ms > 0 && watch.elapsed_ms() > double(settings.budget_ms);
+}
+
 glm::vec4 with_w(const glm::dvec3& position, float w) { return glm::vec4(glm::vec3(position), w); }
 
 }  // namespace
@@ -34,52 +41,61 @@ glm::vec4 with_w(const glm::dvec3& position, float w) { return glm::vec4(glm::ve
 ContinuousCollision::ContinuousCollision(const ClothModel& model, ThreadPool& pool)
     : model_(model),
       pool_(pool),
-      query_(model.rest_positions, model.faces),
+      query_(model.rest_positions, model.faces, model.sheets),
       sheet_numbers_(sheet_numbers(model)),
       dirty_(model.vertex_count())
 {
 }
 
-std::span<const LayerContact> ContinuousCollision::foresee(std::span<const glm::vec4> positions,
-                                                           std::span<const glm::vec4> velocities, float duration,
-                                                           const LayerSettings& settings)
+const SpeculativeContacts& ContinuousCollision::foresee(std::span<const glm::vec4> positions,
+                                                        std::span<const glm::vec4> velocities, float duration,
+                                                        const LayerSettings& settings)
 {
-    const std::vector<glm::vec4> foreseen = nuno::foresee(positions, velocities, duration);
+    const std::vector<glm::vec4> ways = foreseen_ways(velocities, duration);
+    std::vector<glm::vec4> ends(positions.begin(), positions.end());
+    for (std::size_t v = 0; v < ends.size(); ++v) ends[v] += ways[v];
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
-    const int tasks = query_.begin(positions, foreseen, speculative_margin(settings.thickness), pool_);
-    contacts_of_task_.resize(std::max(contacts_of_task_.size(), std::size_t(tasks)));
+    const int tasks = query_.begin({positions, ends}, speculative_query(settings.thickness, settings.culling), pool_);
+    foreseen_of_task_.resize(std::max(foreseen_of_task_.size(), std::size_t(tasks)));
     run_tasks(pool_, tasks, [&](int task) {
-        std::vector<LayerContact>& contacts = contacts_of_task_[std::size_t(task)];
-        contacts.clear();
-        query_.run(task, [&](const ElementPair& pair) {
-            append_speculative(pair, {positions, foreseen}, rest, contacts);
+        SpeculativeContacts& found = foreseen_of_task_[std::size_t(task)];
+        found.contacts.clear();
+        found.largest_approach = 0;
+        PairBatches batches([&](PairKind kind, std::span<const ElementPair> pairs) {
+            append_speculative(kind, pairs, {positions, ways}, rest, found);
         });
+        query_.run(task, [&](const ElementPair& pair) { batches.add(pair); });
+        batches.finish();
     });
-    contacts_.clear();
+    foreseen_.contacts.clear();
+    foreseen_.largest_approach = 0;
     for (int task = 0; task < tasks; ++task) {
-        const std::vector<LayerContact>& more = contacts_of_task_[std::size_t(task)];
-        contacts_.insert(contacts_.end(), more.begin(), more.end());
+        const SpeculativeContacts& more = foreseen_of_task_[std::size_t(task)];
+        foreseen_.contacts.insert(foreseen_.contacts.end(), more.contacts.begin(), more.contacts.end());
+        foreseen_.largest_approach = std::max(foreseen_.largest_approach, more.largest_approach);
     }
-    return contacts_;
+    return foreseen_;
 }
 
-std::vector<Impact> ContinuousCollision::find_impacts(const LayerPass& pass, LayerCounts& counts)
+std::vector<Impact> ContinuousCollision::find_impacts(const LayerPass& pass, Culling culling, LayerCounts& counts)
 {
-    const int tasks = query_.begin(pass.start, pass.end, static_cast<float>(kLeastGap), pool_);
+    const int tasks = query_.begin({pass.start, pass.end}, {static_cast<float>(kLeastGap), culling}, pool_);
+    ways_.resize(pass.start.size());
+    for (std::size_t v = 0; v < ways_.size() && tasks > 0; ++v) ways_[v] = pass.end[v] - pass.start[v];
     impacts_of_task_.resize(std::max(impacts_of_task_.size(), std::size_t(tasks)));
     pairs_of_task_.assign(std::size_t(tasks), 0);
     run_tasks(pool_, tasks, [&](int task) {
         std::vector<Impact>& found = impacts_of_task_[std::size_t(task)];
-        std::uint64_t pairs = 0;
         found.clear();
+        PairBatches batches([&](PairKind kind, std::span<const ElementPair> pairs) {
+            pairs_of_task_[std::size_t(task)] += pairs.size();
+            append_impacts(kind, pairs, {pass.start, ways_, pass.end}, found);
+        });
         query_.run(task, [&](const ElementPair& pair) {
             const glm::uvec4& v = pair.vertices;
-            if (!(dirty_[v.x] | dirty_[v.y] | dirty_[v.z] | dirty_[v.w])) return;
-            ++pairs;
-            if (const std::optional<Impact> impact = find_impact(pair, {pass.start, pass.end}))
-                found.push_back(*impact);
+            if (dirty_[v.x] | dirty_[v.y] | dirty_[v.z] | dirty_[v.w]) batches.add(pair);
         });
-        pairs_of_task_[std::size_t(task)] = pairs;
+        batches.finish();
     });
     std::vector<Impact> impacts;
     std::uint32_t touching = 0;
@@ -101,7 +117,8 @@ void ContinuousCollision::mark(const std::vector<Impact>& impacts)
         for (int i = 0; i < 4; ++i) dirty_[impact.pair.vertices[i]] = 1;
 }
 
-bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings& settings, LayerCounts& counts)
+bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch,
+                                     LayerCounts& counts)
 {
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
     std::vector<Impact> all;
@@ -109,9 +126,10 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
     std::vector<double> inverse_masses;
     std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{1});
     for (int round = 0; round < kRounds; ++round) {
-        std::vector<Impact> impacts = find_impacts(pass, counts);
+        std::vector<Impact> impacts = find_impacts(pass, settings.culling, counts);
         if (round == 0) counts.impacts = static_cast<std::uint32_t>(impacts.size());
         if (impacts.empty()) return true;
+        if (is_late(settings, watch)) return false;
         if (start.empty())
             for (std::size_t v = 0; v < pass.start.size(); ++v) {
                 start.emplace_back(pass.start[v]);
@@ -135,10 +153,11 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
     return false;
 }
 
-void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, LayerCounts& counts)
+void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, const LayerSettings& settings,
+                                                const Stopwatch& watch, LayerCounts& counts)
 {
     for (int round = 0;; ++round) {
-        const std::vector<Impact> impacts = find_impacts(pass, counts);
+        const std::vector<Impact> impacts = find_impacts(pass, settings.culling, counts);
         if (impacts.empty()) return;
         ++counts.rollbacks;
         if (round == kMostRounds) {
@@ -147,21 +166,24 @@ void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, LayerCoun
             return;
         }
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
-        const std::uint32_t clusters =
-            roll_back(impacts, round < kPatientRounds ? kKeptWay : 0.0, pass.start, pass.end, dirty_);
-        counts.zones = std::max(counts.zones, clusters);
+        const bool patient = round < kPatientRounds && !is_late(settings, watch);
+        const Clusters clusters = roll_back(impacts, patient ? kKeptWay : 0.0, pass.start, pass.end, dirty_);
+        counts.zones = std::max(counts.zones, clusters.count);
+        counts.largest_zone = std::max(counts.largest_zone, clusters.largest);
+        counts.held_back = std::max(counts.held_back, clusters.held_back);
     }
 }
 
 LayerCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSettings& settings)
 {
+    const Stopwatch watch;
     LayerCounts counts;
     const std::vector<glm::vec4> asked(pass.end.begin(), pass.end.end());
-    if (!push_apart(pass, settings, counts)) {
+    if (!push_apart(pass, settings, watch, counts)) {
         if (settings.guaranteed)
-            roll_back_until_clean(pass, counts);
+            roll_back_until_clean(pass, settings, watch, counts);
         else
-            counts.unresolved = static_cast<std::uint32_t>(find_impacts(pass, counts).size());
+            counts.unresolved = static_cast<std::uint32_t>(find_impacts(pass, settings.culling, counts).size());
     }
     if (counts.impacts == 0) return counts;
     counts.changed = true;
@@ -169,6 +191,7 @@ LayerCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSetti
         if (asked[v] == pass.end[v]) continue;
         const glm::vec3 change = glm::vec3(pass.end[v]) - glm::vec3(asked[v]);
         pass.velocities[v] += glm::vec4(change / pass.duration, 0);
+        counts.lost_m += double(glm::length(change));
     }
     return counts;
 }

@@ -12,6 +12,7 @@
 #include "collision/element_query.h"
 #include "collision/impact_search.h"
 #include "collision/speculative.h"
+#include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "model/cloth_model.h"
 
@@ -22,6 +23,10 @@ struct LayerSettings
     float thickness;  // [m]
     float friction;   // kinetic, between layers
     bool guaranteed;  // rolls back what rounds of impulses leave
+    Culling culling = Culling::sound;
+    // [ms] that the answer to the impacts of a pass may take before it goes the short way: everything that still meets
+    // goes back to the start of the pass. The promise holds, results depend on the machine's speed. 0: no limit.
+    float budget_ms = 0;
 };
 
 // The cloth over one pass.
@@ -38,10 +43,13 @@ struct LayerCounts
     std::uint64_t pairs_tested = 0;  // whose boxes overlap, in all rounds
     std::uint32_t impacts = 0;       // in the first round
     std::uint32_t zones = 0, rollbacks = 0;
-    std::uint32_t touching = 0;    // pairs that touched at the start already
-    std::uint32_t unresolved = 0;  // impacts that are left
-    bool standstill = false;       // whether all of the cloth went back to the start
-    bool changed = false;          // whether any vertex may have been moved
+    std::uint32_t largest_zone = 0;  // of vertices
+    std::uint32_t held_back = 0;     // vertices on moving handles that went back: the motion they ask for has no room
+    double lost_m = 0;               // sum over the vertices of how far the response moved them
+    std::uint32_t touching = 0;      // pairs that touched at the start already
+    std::uint32_t unresolved = 0;    // impacts that are left
+    bool standstill = false;         // whether all of the cloth went back to the start
+    bool changed = false;            // whether any vertex may have been moved
 };
 
 class ContinuousCollision
@@ -50,10 +58,10 @@ class ContinuousCollision
     // `model` must outlive it.
     ContinuousCollision(const ClothModel& model, ThreadPool& pool);
 
-    // The contacts that may come about within `duration` [s] from this state on, in a fixed order; they last until the
-    // next call.
-    std::span<const LayerContact> foresee(std::span<const glm::vec4> positions, std::span<const glm::vec4> velocities,
-                                          float duration, const LayerSettings& settings);
+    // The contacts that may come about within `duration` [s] from this state on, where vertices go on at these
+    // velocities, in a fixed order; they last until the next call.
+    const SpeculativeContacts& foresee(std::span<const glm::vec4> positions, std::span<const glm::vec4> velocities,
+                                       float duration, const LayerSettings& settings);
 
     // Answers all impacts on the way of the pass: rounds of impulses, then, where guaranteed, rollback until none is
     // left. Start must be free of intersections for that to hold; pairs that
@@ -62,18 +70,20 @@ class ContinuousCollision
 
   private:
     // Impacts among the pairs with a vertex that is marked, in a fixed order.
-    std::vector<Impact> find_impacts(const LayerPass& pass, LayerCounts& counts);
+    std::vector<Impact> find_impacts(const LayerPass& pass, Culling culling, LayerCounts& counts);
     // Rounds of impulses; false where impacts are left.
-    bool push_apart(const LayerPass& pass, const LayerSettings& settings, LayerCounts& counts);
-    void roll_back_until_clean(const LayerPass& pass, LayerCounts& counts);
+    bool push_apart(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch, LayerCounts& counts);
+    void roll_back_until_clean(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch,
+                               LayerCounts& counts);
     void mark(const std::vector<Impact>& impacts);
 
     const ClothModel& model_;
     ThreadPool& pool_;
     ElementQuery query_;
     std::vector<std::uint32_t> sheet_numbers_;  // of every vertex
-    std::vector<LayerContact> contacts_;
-    std::vector<std::vector<LayerContact>> contacts_of_task_;
+    SpeculativeContacts foreseen_;
+    std::vector<SpeculativeContacts> foreseen_of_task_;
+    std::vector<glm::vec4> ways_;  // of every vertex in the pass
     std::vector<std::vector<Impact>> impacts_of_task_;
     std::vector<std::uint64_t> pairs_of_task_;
     std::vector<std::uint8_t> dirty_;  // of every vertex: its way has changed since it was last looked at

@@ -1,28 +1,31 @@
 // Tree and boxes of a query.
 #include "collision/element_query.h"
 
-#include <algorithm>
-
 namespace nuno {
 
-ElementQuery::ElementQuery(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces)
-    : elements_(faces, static_cast<std::uint32_t>(rest_positions.size())),
+ElementQuery::ElementQuery(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
+                           std::span<const Sheet> sheets, ElementKinds kinds)
+    : elements_(faces, static_cast<std::uint32_t>(rest_positions.size()), kinds),
       near_(elements_.near_pairs()),
-      tree_(rest_positions, faces)
+      tree_(rest_positions, faces, sheets)
 {
 }
 
-int ElementQuery::begin(std::span<const glm::vec4> positions_t0, std::span<const glm::vec4> positions_t1, float growth,
-                        ThreadPool& pool)
+int ElementQuery::begin(const Poses& poses, const TreeSettings& settings, ThreadPool& pool)
 {
-    tree_.refit_swept(positions_t0, positions_t1, {0, growth}, pool);
-    blocks_.open.assign(1, tree_.root());
-    blocks_.found.clear();
-    tree_.query(blocks_, Culling::none);
-    boxes_.set(positions_t0, positions_t1, growth);
-    const std::size_t tasks =
-        (near_.size() + kNearPairs - 1) / kNearPairs + (blocks_.found.size() + kBlockPairs - 1) / kBlockPairs;
-    return static_cast<int>(tasks);
+    tree_.refit(poses, settings, pool);
+    tree_.query(pool);
+    if (!tree_.is_proven_apart()) swept_.set(poses, elements_.faces(), settings.distance, pool);
+    return static_cast<int>(near_tasks() + tree_.pairs().size());
+}
+
+std::uint64_t ElementQuery::near_pairs_culled() const
+{
+    if (tree_.is_proven_apart()) return near_.pairs.size();
+    std::uint64_t count = 0;
+    for (std::uint32_t face = 0; face < elements_.faces().size(); ++face)
+        if (tree_.is_apart_from_neighbours(face)) count += near_.of(face).size();
+    return count;
 }
 
 }  // namespace nuno

@@ -1,8 +1,9 @@
-// All pairs of a vertex and a face, and of two edges, whose boxes overlap on a way; as tasks for several threads.
+// All pairs of a vertex and a face, and of two edges, that may come near each other on a way; as tasks for several
+// threads.
 #pragma once
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,9 +11,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "collision/box_tree.h"
 #include "collision/face_elements.h"
-#include "collision/vertex_boxes.h"
+#include "collision/swept_elements.h"
+#include "collision/tree/face_tree.h"
 #include "core/thread_pool.h"
 
 namespace nuno {
@@ -20,63 +21,103 @@ namespace nuno {
 class ElementQuery
 {
   public:
-    // Rest positions [m] and faces of all sheets together.
-    ElementQuery(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces);
+    // Rest positions [m] and faces of all sheets together; without sheets, all faces are one mesh.
+    ElementQuery(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
+                 std::span<const Sheet> sheets = {}, ElementKinds kinds = ElementKinds::all);
 
-    // Begins a query with boxes around the ways from t0 to t1 (xyz [m]), each vertex's grown by `growth` [m] on every
-    // side; returns the number of tasks. What the tasks are does not depend on the number of threads.
-    int begin(std::span<const glm::vec4> positions_t0, std::span<const glm::vec4> positions_t1, float growth,
-              ThreadPool& pool);
+    std::span<const glm::uvec3> faces() const { return elements_.faces(); }
+
+    // Begins a query of what comes as near as the settings ask on the way of the poses, which must stay as they are until
+    // the last task is done; returns the number of tasks. What the tasks are does not depend on the number of threads.
+    int begin(const Poses& poses, const TreeSettings& settings, ThreadPool& pool);
     // Calls body(const ElementPair&) for the pairs of one task, in a fixed order; each pair is in one task, once.
     // Different tasks may run on different threads.
     template <class Body>
     void run(int task, const Body& body) const;
 
+    // Pairs of elements of faces that share a vertex which the query leaves out, for they are proven apart.
+    std::uint64_t near_pairs_culled() const;
+
   private:
-    static constexpr std::size_t kBlockPairs = 256, kNearPairs = 4096;  // of a task
+    static constexpr std::uint32_t kNearFaces = 512;  // of a task
+    std::size_t near_tasks() const
+    {
+        return tree_.is_proven_apart() ? 0 : (elements_.faces().size() + kNearFaces - 1) / kNearFaces;
+    }
     template <class Body>
-    void run_blocks(NodePair blocks, const Body& body) const;
+    void run_near(std::uint32_t first_face, const Body& body) const;
+    template <class Body>
+    void run_vertices(std::uint32_t from, std::uint32_t to, const Body& body) const;
+    template <class Body>
+    void run_faces(FacePair faces, const Body& body) const;
 
     FaceElements elements_;
-    std::vector<ElementPair> near_;  // of faces that share a vertex
-    BoxTree tree_;
-    TreeQuery blocks_;
-    VertexBoxes boxes_;
+    NearPairs near_;  // of faces that share a vertex
+    FaceTree tree_;
+    SweptElements swept_;
 };
 
 template <class Body>
 void ElementQuery::run(int task, const Body& body) const
 {
-    const std::size_t near_tasks = (near_.size() + kNearPairs - 1) / kNearPairs;
     const auto number = static_cast<std::size_t>(task);
-    if (number < near_tasks) {
-        const std::size_t end = std::min(near_.size(), (number + 1) * kNearPairs);
-        for (std::size_t i = number * kNearPairs; i < end; ++i)
-            if (boxes_.overlap(near_[i])) body(near_[i]);
-        return;
-    }
-    const std::size_t first = (number - near_tasks) * kBlockPairs;
-    const std::size_t end = std::min(blocks_.found.size(), first + kBlockPairs);
-    for (std::size_t i = first; i < end; ++i) run_blocks(blocks_.found[i], body);
+    if (number < near_tasks()) return run_near(static_cast<std::uint32_t>(number) * kNearFaces, body);
+    for (const FacePair faces : tree_.pairs()[number - near_tasks()])
+        if (swept_.may_meet(swept_.face(faces.a), swept_.face(faces.b))) run_faces(faces, body);
 }
 
 template <class Body>
-void ElementQuery::run_blocks(NodePair blocks, const Body& body) const
+void ElementQuery::run_near(std::uint32_t first_face, const Body& body) const
 {
-    const BoxTree::Node &a = tree_.node(blocks.a), &b = tree_.node(blocks.b);
-    for (int i = 0; i < 4; ++i) {
-        if (a.child[i] == BoxTree::kNoChild) continue;
-        const auto lane = [&](const std::array<Float4, 3>& bounds, int axis) { return bounds[axis][i]; };
-        const Bounds box{Float4{lane(a.lo, 0), lane(a.lo, 1), lane(a.lo, 2), 0},
-                         Float4{lane(a.hi, 0), lane(a.hi, 1), lane(a.hi, 2), 0}};
-        unsigned others = overlapping_children(b, box);
-        if (blocks.a == blocks.b) others &= ~0u << (i + 1);
-        for (; others != 0; others &= others - 1) {
-            const std::uint32_t f = a.child[i], g = b.child[std::countr_zero(others)];
-            if (g == BoxTree::kNoChild || elements_.share_vertex(f, g)) continue;
-            elements_.for_pairs_of(f, g, [&](const ElementPair& pair) {
-                if (boxes_.overlap(pair)) body(pair);
-            });
+    const std::uint32_t end = std::min(first_face + kNearFaces, static_cast<std::uint32_t>(elements_.faces().size()));
+    for (std::uint32_t face = first_face; face < end; ++face) {
+        if (tree_.is_apart_from_neighbours(face)) continue;
+        for (const ElementPair& pair : near_.of(face)) {
+            const glm::uvec4& v = pair.vertices;
+            const bool may_meet = pair.kind == PairKind::vertex_face
+                                      ? swept_.may_meet(swept_.vertex(v.x), swept_.face(pair.face))
+                                      : swept_.may_meet(swept_.edge({v.x, v.y}), swept_.edge({v.z, v.w}));
+            if (may_meet) body(pair);
+        }
+    }
+}
+
+template <class Body>
+void ElementQuery::run_vertices(std::uint32_t from, std::uint32_t to, const Body& body) const
+{
+    const glm::uvec3& face = elements_.faces()[to];
+    for (const std::uint32_t v : elements_.owned(from).vertices)
+        if (v != FaceElements::kNone && swept_.may_meet(swept_.vertex(v), swept_.face(to)))
+            body(ElementPair{PairKind::vertex_face, {v, face.x, face.y, face.z}, to});
+}
+
+// Edges that may meet the other face, with each other.
+template <class Body>
+void ElementQuery::run_faces(FacePair faces, const Body& body) const
+{
+    run_vertices(faces.a, faces.b, body);
+    run_vertices(faces.b, faces.a, body);
+    struct Edge
+    {
+        glm::uvec2 ends;
+        SweptElement sweep;
+    };
+    std::array<Edge, 3> second;
+    int count = 0;
+    for (const glm::uvec2& ends : elements_.owned(faces.b).edges) {
+        if (ends.x == FaceElements::kNone) continue;
+        second[std::size_t(count)] = {ends, swept_.edge(ends)};
+        count += swept_.may_meet(second[std::size_t(count)].sweep, swept_.face(faces.a));
+    }
+    if (count == 0) return;
+    for (const glm::uvec2& ends : elements_.owned(faces.a).edges) {
+        if (ends.x == FaceElements::kNone) continue;
+        const SweptElement sweep = swept_.edge(ends);
+        if (!swept_.may_meet(sweep, swept_.face(faces.b))) continue;
+        for (int i = 0; i < count; ++i) {
+            const Edge& other = second[std::size_t(i)];
+            if (swept_.may_meet(sweep, other.sweep))
+                body(ElementPair{PairKind::edge_edge, {ends.x, ends.y, other.ends.x, other.ends.y}, 0});
         }
     }
 }

@@ -27,7 +27,7 @@ FacesAround faces_around(std::span<const glm::uvec3> faces, std::uint32_t vertex
 
 }  // namespace
 
-FaceElements::FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vertex_count)
+FaceElements::FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vertex_count, ElementKinds kinds)
     : faces_(faces.begin(), faces.end()), owned_(faces.size())
 {
     std::vector<std::uint8_t> taken(vertex_count);
@@ -49,23 +49,18 @@ FaceElements::FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vert
     std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return ends(a) < ends(b); });
     for (std::size_t i = 0; i < sides.size(); ++i)
         if (i == 0 || sides[i].edge != sides[i - 1].edge) {
-            owned_[sides[i].face].edges[sides[i].number] = sides[i].edge;
+            if (kinds == ElementKinds::all) owned_[sides[i].face].edges[sides[i].number] = sides[i].edge;
             edges_.push_back(sides[i].edge);
         }
 }
 
-bool FaceElements::share_vertex(std::uint32_t a, std::uint32_t b) const
-{
-    const auto has = [](const glm::uvec3& face, std::uint32_t v) { return face.x == v || face.y == v || face.z == v; };
-    return has(faces_[a], faces_[b].x) || has(faces_[a], faces_[b].y) || has(faces_[a], faces_[b].z);
-}
-
-std::vector<ElementPair> FaceElements::near_pairs() const
+NearPairs FaceElements::near_pairs() const
 {
     std::uint32_t vertex_count = 0;
     for (const glm::uvec3& face : faces_) vertex_count = std::max({vertex_count, face.x + 1, face.y + 1, face.z + 1});
     const FacesAround around = faces_around(faces_, vertex_count);
-    std::vector<ElementPair> pairs;
+    NearPairs near;
+    near.starts.push_back(0);
     std::vector<std::uint32_t> others;
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
         others.clear();
@@ -77,9 +72,10 @@ std::vector<ElementPair> FaceElements::near_pairs() const
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
         for (const std::uint32_t g : others)
-            for_pairs_of(f, g, [&](const ElementPair& pair) { pairs.push_back(pair); });
+            for_pairs_of(f, g, [&](const ElementPair& pair) { near.pairs.push_back(pair); });
+        near.starts.push_back(static_cast<std::uint32_t>(near.pairs.size()));
     }
-    return pairs;
+    return near;
 }
 
 }  // namespace nuno

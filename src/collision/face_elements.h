@@ -25,32 +25,51 @@ struct ElementPair
     bool operator==(const ElementPair&) const = default;
 };
 
+// Which pairs of elements are asked for.
+enum class ElementKinds
+{
+    all,
+    vertex_face
+};
+
+// Pairs by face: those of face f with faces of higher numbers are [starts[f], starts[f + 1]) of `pairs`.
+struct NearPairs
+{
+    std::vector<std::uint32_t> starts;
+    std::vector<ElementPair> pairs;
+
+    std::span<const ElementPair> of(std::uint32_t face) const
+    {
+        return std::span(pairs).subspan(starts[face], starts[face + 1] - starts[face]);
+    }
+};
+
 class FaceElements
 {
   public:
     // `faces` of vertices below `vertex_count`.
-    FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vertex_count);
+    FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vertex_count, ElementKinds kinds = ElementKinds::all);
 
     std::span<const glm::uvec3> faces() const { return faces_; }
     std::span<const glm::uvec2> edges() const { return edges_; }
 
-    bool share_vertex(std::uint32_t a, std::uint32_t b) const;
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    // Corner i of a face, and the edge from it to the next; kNone where another face owns it, or no edges are asked for.
+    struct Owned
+    {
+        std::array<std::uint32_t, 3> vertices{kNone, kNone, kNone};
+        std::array<glm::uvec2, 3> edges{glm::uvec2(kNone), glm::uvec2(kNone), glm::uvec2(kNone)};
+    };
+    const Owned& owned(std::uint32_t face) const { return owned_[face]; }
 
     // Calls body(const ElementPair&) for what face a owns against b and the other way, in a fixed order.
     template <class Body>
     void for_pairs_of(std::uint32_t a, std::uint32_t b, const Body& body) const;
 
     // Those of all faces that share a vertex, which never change: no tree is needed to find them.
-    std::vector<ElementPair> near_pairs() const;
+    NearPairs near_pairs() const;
 
   private:
-    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    // Corner i of the face, and the edge from it to the next; kNone where another face owns it.
-    struct Owned
-    {
-        std::array<std::uint32_t, 3> vertices{kNone, kNone, kNone};
-        std::array<glm::uvec2, 3> edges{glm::uvec2(kNone), glm::uvec2(kNone), glm::uvec2(kNone)};
-    };
     template <class Body>
     void for_vertices_of(std::uint32_t a, std::uint32_t b, const Body& body) const;
 

@@ -34,12 +34,4 @@ inline unsigned lane_bits(Int4 mask)
 #endif
 }
 
-// An axis-aligned box; lanes 0, 1, 2 are x, y, z, lane 3 is not read.
-struct Bounds
-{
-    Float4 lo, hi;
-};
-
-inline Bounds hull(const Bounds& a, const Bounds& b) { return {lesser(a.lo, b.lo), greater(a.hi, b.hi)}; }
-
 }  // namespace nuno

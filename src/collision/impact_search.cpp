@@ -2,10 +2,12 @@
 #include "collision/impact_search.h"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/geometric.hpp>
 
 #include "collision/ccd/impact.h"
+#include "collision/pair_sieve.h"
 #include "model/formulas.h"
 
 namespace nuno {
@@ -72,6 +74,16 @@ std::optional<Impact> find_impact(const ElementPair& pair, const PassWay& way)
                                                       : normal_of(pair.kind, t0);
     if (glm::dot(normal, at_start.separation) < 0) normal = -normal;
     return Impact{pair, *time, normal, {closest.w0, closest.w1, closest.w2, closest.w3}, 0};
+}
+
+void append_impacts(PairKind kind, std::span<const ElementPair> pairs, const PassWay& way, std::vector<Impact>& found)
+{
+    std::array<float, kMostPairsAtOnce> bounds;
+    bound_distances(kind, pairs, {way.start, way.ways}, bounds);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (bounds[i] > static_cast<float>(kLeastGap)) continue;
+        if (const std::optional<Impact> impact = find_impact(pairs[i], way)) found.push_back(*impact);
+    }
 }
 
 }  // namespace nuno

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "collision/pair_query.h"
+#include "collision/discrete.h"
 #include "collision/task_loop.h"
 #include "model/formulas.h"
 
@@ -100,25 +100,21 @@ bool passes_through(const Path& point, const Path& a, const Path& b, const Path&
     return passed;
 }
 
-// The boxes hold all that moves between the poses; the margin is for roots that rounding puts just outside a face.
-std::vector<VertexFace> find_pass_through(BoxTree& tree, std::span<const glm::vec4> positions_t0,
+// The boxes hold all that moves between the poses. They grow for roots that rounding puts just outside a face: within
+// kEdgeRounding of its longest edge, which on a straight way is never longer than at both ends.
+std::vector<VertexFace> find_pass_through(ElementQuery& query, std::span<const glm::vec4> positions_t0,
                                           std::span<const glm::vec4> positions_t1, ThreadPool& pool)
 {
-    tree.refit_swept(positions_t0, positions_t1, {1e-5f, 0}, pool);
-    PairQuery query;
-    const int task_count = query.begin(tree, Culling::none);
-    std::vector<std::vector<VertexFace>> found(task_count);
-    const auto path = [&](std::uint32_t vertex) { return path_of(vertex, positions_t0, positions_t1); };
-    const auto box_of = [&](std::uint32_t vertex) {
-        const Float4 t0 = lanes_of(positions_t0[vertex]), t1 = lanes_of(positions_t1[vertex]);
-        return Bounds{lesser(t0, t1), greater(t0, t1)};
-    };
+    const float longest =
+        std::max(longest_edge(query.faces(), positions_t0), longest_edge(query.faces(), positions_t1));
+    const int task_count = query.begin({positions_t0, positions_t1}, {1e-5f * longest, Culling::none}, pool);
+    std::vector<std::vector<VertexFace>> found(static_cast<std::size_t>(task_count));
     run_tasks(pool, task_count, [&](int task) {
-        for (const VertexFace pair : query.run(task, box_of)) {
-            const glm::uvec3 face = tree.faces()[pair.face];
-            if (passes_through(path(pair.vertex), path(face.x), path(face.y), path(face.z)))
-                found[task].push_back(pair);
-        }
+        query.run(task, [&](const ElementPair& pair) {
+            const auto path = [&](int i) { return path_of(pair.vertices[i], positions_t0, positions_t1); };
+            if (passes_through(path(0), path(1), path(2), path(3)))
+                found[static_cast<std::size_t>(task)].push_back({pair.vertices.x, pair.face});
+        });
     });
 
     std::vector<VertexFace> all;

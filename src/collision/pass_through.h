@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "collision/box_tree.h"
+#include "collision/element_query.h"
 #include "collision/vertex_face.h"
 #include "core/thread_pool.h"
 
@@ -32,8 +32,8 @@ inline Path path_of(std::uint32_t vertex, std::span<const glm::vec4> positions_t
 bool passes_through(const Path& point, const Path& a, const Path& b, const Path& c);
 
 // All of them from positions_t0 to positions_t1 (xyz [m]), in order of vertex and face. A vertex that goes exactly
-// through an edge counts for both its faces. Refits `tree` for itself.
-std::vector<VertexFace> find_pass_through(BoxTree& tree, std::span<const glm::vec4> positions_t0,
+// through an edge counts for both its faces. Begins `query` for itself, without culling.
+std::vector<VertexFace> find_pass_through(ElementQuery& query, std::span<const glm::vec4> positions_t0,
                                           std::span<const glm::vec4> positions_t1, ThreadPool& pool);
 
 }  // namespace nuno

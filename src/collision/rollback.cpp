@@ -7,10 +7,10 @@
 namespace nuno {
 namespace {
 
-class Clusters
+class VertexSets
 {
   public:
-    explicit Clusters(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
     std::uint32_t find(std::uint32_t a)
     {
@@ -31,8 +31,8 @@ class Clusters
 
 }  // namespace
 
-std::uint32_t roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
-                        std::span<glm::vec4> end, std::span<std::uint8_t> moved)
+Clusters roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
+                   std::span<glm::vec4> end, std::span<std::uint8_t> moved)
 {
     std::vector<std::uint32_t> vertices;
     for (const Impact& impact : impacts)
@@ -44,24 +44,27 @@ std::uint32_t roll_back(std::span<const Impact> impacts, double kept, std::span<
                                           vertices.begin());
     };
 
-    Clusters clusters(vertices.size());
+    VertexSets sets(vertices.size());
     for (const Impact& impact : impacts)
-        for (int i = 1; i < 4; ++i) clusters.join(number(impact.pair.vertices[0]), number(impact.pair.vertices[i]));
+        for (int i = 1; i < 4; ++i) sets.join(number(impact.pair.vertices[0]), number(impact.pair.vertices[i]));
     std::vector<double> times(vertices.size(), 1.0);
     for (const Impact& impact : impacts) {
-        double& time = times[clusters.find(number(impact.pair.vertices[0]))];
+        double& time = times[sets.find(number(impact.pair.vertices[0]))];
         time = std::min(time, impact.time);
     }
 
-    std::uint32_t cluster_count = 0;
+    Clusters clusters;
+    std::vector<std::uint32_t> sizes(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        const std::uint32_t leader = clusters.find(i), v = vertices[i];
-        cluster_count += leader == i;
+        const std::uint32_t leader = sets.find(i), v = vertices[i];
+        clusters.count += leader == i;
+        clusters.largest = std::max(clusters.largest, ++sizes[leader]);
+        clusters.held_back += end[v].w == 0 && start[v] != end[v];
         const glm::dvec3 from(start[v]), to(end[v]);
         end[v] = glm::vec4(glm::vec3(from + kept * times[leader] * (to - from)), end[v].w);
         moved[v] = 1;
     }
-    return cluster_count;
+    return clusters;
 }
 
 }  // namespace nuno

@@ -1,16 +1,19 @@
-// Self-collision of a cloth, stage by stage: what the rest of the program sees of this folder.
+// Levels `discrete` and `spheres`, stage by stage, and the count of what passed through, which every level can have.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "collision/box_tree.h"
 #include "collision/contact.h"
 #include "collision/discrete.h"
+#include "collision/element_query.h"
+#include "collision/spheres.h"
 #include "core/thread_pool.h"
+#include "model/cloth_model.h"
 #include "model/sim_params.h"
 
 namespace nuno {
@@ -19,11 +22,15 @@ namespace nuno {
 struct CollisionSettings
 {
     CollisionLevel level = CollisionLevel::discrete;
-    Culling culling = Culling::none;
+    Culling culling = Culling::sound;
     ContactRange range;
+    float friction = 0, static_friction = 0;  // between layers, at `spheres`
 };
 
 CollisionSettings collision_settings(const SimParams& params);
+
+// Error where the level cannot keep its promise with the culling asked for.
+void check_collision_settings(const SimParams& params);
 
 // The cloth in one pass. Positions: xyz [m], w the inverse mass [1/kg], 0 where pinned.
 struct CollisionStep
@@ -37,42 +44,61 @@ struct CollisionStep
 // What a pass did, named as in the report.
 struct CollisionCounts
 {
-    std::uint64_t pairs_tested = 0;  // of a vertex and a face, or two edges: their boxes overlap
-    std::uint64_t pairs_culled = 0;  // inside the nodes that the culling skipped, a vertex's own faces included
+    std::uint64_t pairs_tested = 0;  // of elements whose boxes overlap; at `spheres` of vertices in cells that touch
+    std::uint64_t pairs_culled = 0;  // of elements of faces that share a vertex, proven apart and not looked at
     std::uint32_t contacts = 0;      // found, or foreseen
     std::uint32_t impacts = 0, zones = 0, rollbacks = 0, standstills = 0;  // of the continuous levels
-    std::uint32_t unresolved = 0;  // pairs left by `continuous`, touching, or passed through, if that was counted
+    std::uint32_t largest_zone = 0, held_back = 0;                         // as in LayerCounts
+    double lost_m = 0;
+    std::uint32_t touching = 0;    // pairs that touched as a pass of the continuous levels began
+    std::uint32_t unresolved = 0;  // pairs left by `continuous`, or passed through, if that was counted
 };
 
-// A pass is refit, query, respond, in this order; each does nothing but at `discrete`. Results do not depend on
-// the number of threads.
+// A pass is refit, query, respond, in this order; each does nothing but at `spheres` and `discrete`. Results do not
+// depend on the number of threads.
 class SelfCollision
 {
   public:
-    // Rest positions [m] and faces of all sheets together; every vertex is a corner of a face.
-    SelfCollision(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces, ThreadPool& pool);
+    // Rest positions [m] and faces of all sheets together, which must outlive it; every vertex is a corner of a face.
+    // Without sheets, all faces are one mesh.
+    SelfCollision(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
+                  std::span<const Sheet> sheets, ThreadPool& pool);
 
-    // Starts a pass with these settings: boxes around the cloth.
+    // Starts a pass with these settings: sorts vertices into cells, or makes the tree's boxes and finds faces whose
+    // boxes overlap.
     void refit(const CollisionStep& step, const CollisionSettings& settings);
-    // The contacts, in order of vertex and face; they last until the next pass.
-    std::span<const Contact> query(const CollisionStep& step);
+    // Finds contacts, or pairs of spheres, that the boxes or cells hold; whether there are any.
+    bool query(const CollisionStep& step);
     // Corrects the velocities.
     void respond(const CollisionStep& step);
 
+    // The contacts of the last query at `discrete`, in order of vertex and face; they last until the next pass.
+    std::span<const Contact> contacts() const { return contacts_; }
+    // The pairs of spheres of the last query at `spheres`, likewise.
+    std::span<const VertexPair> sphere_pairs() const { return sphere_pairs_; }
+
     // Counts what passed through from t0 to t1 into `unresolved`, at every level. Call it after `query`: it takes the
-    // boxes for itself.
+    // tree for itself.
     void count_pass_through(const CollisionStep& step);
 
     // Of the pass so far.
     const CollisionCounts& counts() const { return counts_; }
 
   private:
+    ElementQuery& tree();
+
+    std::span<const glm::vec3> rest_positions_;
+    std::span<const glm::uvec3> faces_;
+    std::span<const Sheet> sheets_;
     ThreadPool& pool_;
-    BoxTree tree_;
+    std::optional<ElementQuery> tree_;     // made where it is needed
+    std::optional<SphereSearch> spheres_;  // likewise
+    int task_count_ = 0;                   // of the tree's query
     ContactSearch search_;
     CollisionSettings settings_;
     CollisionCounts counts_;
     std::span<const Contact> contacts_;
+    std::span<const VertexPair> sphere_pairs_;
 };
 
 }  // namespace nuno

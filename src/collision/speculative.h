@@ -10,23 +10,19 @@
 #include <glm/vec4.hpp>
 
 #include "collision/face_elements.h"
+#include "collision/pair_sieve.h"
+#include "collision/tree/tree_node.h"
 #include "model/layer_contact.h"
 
 namespace nuno {
 
-// The cloth at the start of a pass, and how it would go on by itself until its end.
-struct ForeseenStep
-{
-    std::span<const glm::vec4> positions;  // xyz [m]
-    std::span<const glm::vec4> foreseen;   // positions at the end of the pass, less the mean motion
-};
+inline bool sees_ahead(CollisionLevel level) { return level >= CollisionLevel::speculative; }
 
-// Positions moved for `duration` [s] by velocities less their mean.
-std::vector<glm::vec4> foresee(std::span<const glm::vec4> positions, std::span<const glm::vec4> velocities,
-                               float duration);
+// The ways of all vertices in `duration` [s] by velocities less their mean [m].
+std::vector<glm::vec4> foreseen_ways(std::span<const glm::vec4> velocities, float duration);
 
-// By how much the boxes around positions and foreseen positions grow so that no contact below is missed [m].
-float speculative_margin(float thickness);
+// What the query has to find so that no contact below is missed.
+TreeSettings speculative_query(float thickness, Culling culling);
 
 // What decides how near two elements may come.
 struct LayerRest
@@ -36,13 +32,20 @@ struct LayerRest
     float thickness;                               // [m]
 };
 
-// Appends the pair as a contact if it may come within `thickness` [m] of itself on this way: that far apart already, or
-// nearing each other on a straight way past the plane between their closest points. Elements of one sheet keep no more
-// than half of their distance at rest.
-void append_speculative(const ElementPair& pair, const ForeseenStep& step, const LayerRest& rest,
-                        std::vector<LayerContact>& contacts);
-
-// [m] that the pair keeps from each other.
+// [m] that the pair keeps from each other: the thickness, or half of the distance at rest of two elements of one sheet.
 float kept_distance(const ElementPair& pair, const LayerRest& rest);
+
+// Contacts, and the largest way [m] of the vertices of one relative to each other.
+struct SpeculativeContacts
+{
+    std::vector<LayerContact> contacts;
+    float largest_approach = 0;
+};
+
+// Appends those of the pairs, all of `kind` and at most kMostPairsAtOnce, that may come within the distance they keep
+// of each other on the way of the step: that near already, or nearing each other past the plane between their closest
+// points (pair_sieve.h).
+void append_speculative(PairKind kind, std::span<const ElementPair> pairs, const StraightStep& step,
+                        const LayerRest& rest, SpeculativeContacts& found);
 
 }  // namespace nuno

@@ -16,8 +16,9 @@ constexpr std::string_view kMethods[] = {"auto", "explicit_euler", "symplectic_e
                                          "vbd",  "implicit_euler", "sdirk2",           "reference"};
 constexpr std::string_view kSweeps[] = {"auto", "rows", "coloured", "jacobi"};
 constexpr std::string_view kBackends[] = {"cpu", "gpu"};
-constexpr std::string_view kCollisionLevels[] = {"none", "discrete", "speculative", "continuous", "guaranteed"};
-constexpr std::string_view kCullings[] = {"none", "seed"};
+constexpr std::string_view kCollisionLevels[] = {"none",        "spheres",    "discrete",
+                                                 "speculative", "continuous", "guaranteed"};
+constexpr std::string_view kCullings[] = {"none", "seed", "sound"};
 constexpr std::string_view kMassLumpings[] = {"area", "equal"};
 
 }  // namespace

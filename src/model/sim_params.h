@@ -63,6 +63,7 @@ enum class Backend : std::int32_t
 enum class CollisionLevel : std::int32_t
 {
     none,
+    spheres,
     discrete,
     speculative,
     continuous,

@@ -47,8 +47,9 @@ int at_part(double part, int count) { return static_cast<int>(std::lround(part *
 void add_pins_at(std::string_view text, const std::string& where, GridSize size, std::vector<std::uint32_t>& pins)
 {
     static constexpr Place places[] = {
-        {"top_left", 0, 0, 0, 0}, {"top_right", 1, 1, 0, 0}, {"bottom_left", 0, 0, 1, 1}, {"bottom_right", 1, 1, 1, 1},
-        {"top", 0, 1, 0, 0},      {"bottom", 0, 1, 1, 1},    {"left", 0, 0, 0, 1},        {"right", 1, 1, 0, 1}};
+        {"top_left", 0, 0, 0, 0},     {"top_right", 1, 1, 0, 0}, {"bottom_left", 0, 0, 1, 1},
+        {"bottom_right", 1, 1, 1, 1}, {"top", 0, 1, 0, 0},       {"bottom", 0, 1, 1, 1},
+        {"left", 0, 0, 0, 1},         {"right", 1, 1, 0, 1},     {"centre", 0.5, 0.5, 0.5, 0.5}};
     const std::size_t mark = text.find('@');
     const std::string_view name = text.substr(0, mark);
     const double part = mark == text.npos ? 0 : parse_number(text.substr(mark + 1)).value_or(-1);
@@ -59,8 +60,8 @@ void add_pins_at(std::string_view text, const std::string& where, GridSize size,
         names.push_back(p.name);
         if (p.name != name) continue;
         if (mark != text.npos && p.i0 == p.i1 && p.j0 == p.j1)
-            throw Error(
-                fmt::format("{}: pin {}: {} is a corner, which has no parts; @ goes after an edge", where, text, name));
+            throw Error(fmt::format("{}: pin {}: {} is one vertex, which has no parts; @ goes after an edge", where,
+                                    text, name));
         if (mark != text.npos && p.i0 != p.i1) p.i0 = p.i1 = part;
         if (mark != text.npos && p.j0 != p.j1) p.j0 = p.j1 = part;
         for (int j = at_part(p.j0, size.rows); j <= at_part(p.j1, size.rows); ++j)

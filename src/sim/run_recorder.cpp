@@ -23,7 +23,35 @@ Json counts_json(const CollisionCounts& count)
             {"zones", count.zones},
             {"rollbacks", count.rollbacks},
             {"standstills", count.standstills},
+            {"largest_zone", count.largest_zone},
+            {"held_back", count.held_back},
+            {"lost_m", count.lost_m},
+            {"touching", count.touching},
             {"unresolved", count.unresolved}};
+}
+
+// Null where nothing asked for a look at the start.
+Json start_json(const StartCheck& start)
+{
+    if (!start.looked) return nullptr;
+    const auto& done = start.untangling;
+    return {{"crossing", start.tangled.crossing},
+            {"touching", start.tangled.touching},
+            {"pairs_before_untangle", done ? done->before.all() : start.tangled.all()},
+            {"untangle_steps", done ? done->steps : 0},
+            {"untangle_largest_move_m", done ? done->largest_move : 0.0f}};
+}
+
+// Null where there was no --check.
+Json check_json(const CheckCounts& check)
+{
+    if (check.every == 0) return nullptr;
+    return {{"every", check.every},
+            {"poses", check.poses},
+            {"crossing", check.crossing},
+            {"touching", check.touching},
+            {"passed_through", check.passed_through},
+            {"first_frame", check.first_frame < 0 ? Json(nullptr) : Json(check.first_frame)}};
 }
 
 // Value at a share of a sorted list.
@@ -80,11 +108,16 @@ Json summary_json(const RunRecorder& recorder, Simulation& simulation)
     for (const StageInfo& stage : kStages) add_stage(stage.name, [&](const StageTimes& t) { return t.*stage.ms; });
     add_stage("simulation", simulation_ms);
     const RunMetrics metrics = recorder.metrics();
+    std::uint64_t touching = 0;
+    for (const FrameRecord& record : recorder.frames()) touching += record.stats.count.touching;
     return {{"frames", recorder.frames().size()},
             {"stage_ms", stages},
             {"worst_strain", metrics.peak_strain},
             {"total_contacts", static_cast<std::uint64_t>(metrics.contacts)},
+            {"total_touching", touching},
             {"total_unresolved", static_cast<std::uint64_t>(metrics.passed_through)},
+            {"tangled_at_start", start_json(simulation.start_check())},
+            {"check", check_json(recorder.check)},
             {"stability", stability_json(simulation)},
             {"state_hash", hash_text(simulation.state())}};
 }

@@ -9,6 +9,7 @@
 #include "model/diagnostics.h"
 #include "scene/end_check.h"
 #include "sim/frame_stats.h"
+#include "sim/pose_check.h"
 #include "sim/simulation.h"
 
 namespace nuno {
@@ -25,6 +26,8 @@ class RunRecorder
     void add(const FrameStats& stats, const Diagnostics& diagnostics);
     const std::vector<FrameRecord>& frames() const { return frames_; }
     RunMetrics metrics() const;
+
+    CheckCounts check;  // of --check
 
   private:
     std::vector<FrameRecord> frames_;

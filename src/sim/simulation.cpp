@@ -24,27 +24,6 @@ constexpr float kDragSpeed = 3.0f;          // of a held vertex [m/s]
 constexpr float kDragStretch = 0.2f;        // of the threads at a held vertex, at most
 constexpr double kHandMoveSeconds = 0.001;  // about how often it moves
 
-bool sees_ahead(const SimParams& params) { return params.collision >= CollisionLevel::speculative; }
-bool follows_the_way(const SimParams& params) { return params.collision >= CollisionLevel::continuous; }
-
-LayerSettings layer_settings(const SimParams& params)
-{
-    return {params.thickness, params.friction, params.collision == CollisionLevel::guaranteed};
-}
-
-void add_pass(FrameStats& stats, const CollisionCounts& pass)
-{
-    CollisionCounts& sum = stats.count;
-    sum.pairs_tested += pass.pairs_tested;
-    sum.pairs_culled += pass.pairs_culled;
-    sum.contacts += pass.contacts;
-    sum.impacts += pass.impacts;
-    sum.zones += pass.zones;
-    sum.rollbacks += pass.rollbacks;
-    sum.unresolved += pass.unresolved;
-    stats.peak_contacts = std::max(stats.peak_contacts, pass.contacts);
-}
-
 // What a solver is made for, and what not every solver takes.
 bool needs_new_solver(const SimParams& a, const SimParams& b)
 {
@@ -62,12 +41,13 @@ Simulation::~Simulation() = default;
 
 void Simulation::build(const SimParams& asked)
 {
+    check_collision_settings(asked);
     auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, asked), asked.mass_lumping));
     const SimParams params = resolve_params(*model, scene_.bodies, asked);
     auto pool = std::make_unique<ThreadPool>(params.threads);
     auto solver = make_solver(*model, scene_.bodies, params, *pool);
     solver_ = std::move(solver);
-    collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, *pool);
+    collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, model->sheets, *pool);
     layers_.reset();
     pool_ = std::move(pool);
     model_ = std::move(model);
@@ -80,12 +60,15 @@ void Simulation::build(const SimParams& asked)
 void Simulation::restart()
 {
     state_ = start_state(*model_, params_);
+    start_check_ = check_start(*model_, params_, state_.positions, *pool_);
     solver_->upload(state_);
     positions_fresh_ = velocities_fresh_ = true;
     pass_positions_ = state_.positions;
     held_.reset();
     frame_ = 0;
     time_s_ = pending_s_ = 0;
+    start_positions_.clear();
+    chosen_passes_ = 1;
 }
 
 void Simulation::set_params(const SimParams& asked)
@@ -93,6 +76,7 @@ void Simulation::set_params(const SimParams& asked)
     for (const ParamInfo& info : sim_param_table())
         if (needs_restart(info.name) && param_value(info, &asked) != param_value(info, &asked_)) return build(asked);
 
+    check_collision_settings(asked);
     const SimParams params = resolve_params(*model_, scene_.bodies, asked);
     const bool new_pool = params.threads != params_.threads;
     const bool new_solver = new_pool || needs_new_solver(params, params_);
@@ -101,7 +85,7 @@ void Simulation::set_params(const SimParams& asked)
         auto pool = new_pool ? std::make_unique<ThreadPool>(params.threads) : nullptr;
         if (new_solver) solver_ = make_solver(*model_, scene_.bodies, params, pool ? *pool : *pool_);
         if (new_pool) {
-            collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, *pool);
+            collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, model_->sheets, *pool);
             layers_.reset();
             pool_ = std::move(pool);
         }
@@ -110,13 +94,17 @@ void Simulation::set_params(const SimParams& asked)
         solver_->upload(state_);
     }
     if (params.count_pass_through && !params_.count_pass_through) pass_positions_ = state().positions;
+    if (sees_ahead(params.collision) && !sees_ahead(params_.collision)) start_check_ = check_now(params);
     asked_ = asked;
     params_ = params;
 }
 
-int Simulation::pass_count() const
+// Not to be untangled: the cloth is on its way.
+StartCheck Simulation::check_now(SimParams params)
 {
-    return params_.collision == CollisionLevel::none ? 1 : std::min(params_.collision_passes, params_.substeps);
+    params.untangle = false;
+    std::vector<glm::vec4> positions = state().positions;
+    return check_start(*model_, params, positions, *pool_);
 }
 
 // A membrane stiffens as it is stretched, so its automatic substeps follow.
@@ -126,108 +114,6 @@ void Simulation::follow_stretch()
         return;
     const double stretch = largest_face_stretch(*model_, state(), 1.0 / params_.frame_rate);
     params_.substeps = resolve_params(*model_, scene_.bodies, asked_, stretch).substeps;
-}
-
-FrameStats Simulation::advance_frame()
-{
-    FrameStats stats;
-    Stopwatch measuring;
-    follow_stretch();
-    stats.stage_ms.solve = measuring.lap_ms();
-    stats.substeps = params_.substeps;
-    const double h = double(substep_s(params_));
-    const int passes = pass_count(), substeps = params_.substeps;
-    for (int pass = 0; pass < passes; ++pass) {
-        const int first = substeps * pass / passes, last = substeps * (pass + 1) / passes;
-        const auto interval_s = static_cast<float>((last - first) * h);
-        foresee_contacts(stats, interval_s);
-        Stopwatch watch;
-        run_substeps(first, last);
-        solver_->finish();
-        stats.stage_ms.solve += watch.lap_ms();
-        positions_fresh_ = velocities_fresh_ = false;
-        const bool on_host = params_.collision != CollisionLevel::none || params_.count_pass_through;
-        if (on_host) {
-            solver_->download_positions(state_.positions);
-            positions_fresh_ = true;
-            stats.stage_ms.readback += watch.lap_ms();
-        }
-        check_not_lost(on_host ? first_lost(state_.positions) : solver_->first_lost(), first, last);
-        if (follows_the_way(params_)) respond_to_impacts(stats, interval_s);
-        if (on_host) collide(stats, interval_s);
-    }
-    stats.frame = ++frame_;
-    stats.time_s = time_s_ += 1.0 / params_.frame_rate;
-    return stats;
-}
-
-void Simulation::foresee_contacts(FrameStats& stats, float interval_s)
-{
-    if (!sees_ahead(params_)) {
-        if (keeps_contacts_) solver_->set_contacts({}, model_->vertex_count());
-        keeps_contacts_ = false;
-        return;
-    }
-    Stopwatch watch;
-    if (!layers_) layers_ = std::make_unique<ContinuousCollision>(*model_, *pool_);
-    download();
-    start_positions_ = state_.positions;
-    stats.stage_ms.readback += watch.lap_ms();
-    const auto contacts = layers_->foresee(state_.positions, state_.velocities, interval_s, layer_settings(params_));
-    stats.stage_ms.query += watch.lap_ms();
-    solver_->set_contacts(contacts, model_->vertex_count());
-    keeps_contacts_ = !contacts.empty();
-    stats.stage_ms.upload += watch.lap_ms();
-    const auto contact_count = static_cast<std::uint32_t>(contacts.size());
-    stats.count.contacts += contact_count;
-    stats.peak_contacts = std::max(stats.peak_contacts, contact_count);
-}
-
-void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
-{
-    Stopwatch watch;
-    solver_->download_velocities(state_.velocities);
-    velocities_fresh_ = true;
-    stats.stage_ms.readback += watch.lap_ms();
-    const LayerCounts counts =
-        layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
-    stats.stage_ms.respond += watch.lap_ms();
-    if (held_) held_->position = glm::vec3(state_.positions[held_->vertex]);
-    if (counts.changed) {
-        solver_->upload_positions(state_.positions);
-        solver_->upload_velocities(state_.velocities);
-        stats.stage_ms.upload += watch.lap_ms();
-    }
-    stats.count.pairs_tested += counts.pairs_tested;
-    stats.count.impacts += counts.impacts;
-    stats.count.zones += counts.zones;
-    stats.count.rollbacks += counts.rollbacks;
-    stats.count.standstills += counts.standstill;
-    stats.count.unresolved += counts.unresolved + counts.touching;
-}
-
-void Simulation::collide(FrameStats& stats, float interval_s)
-{
-    const CollisionStep step{pass_positions_, state_.positions, state_.velocities, interval_s};
-    Stopwatch watch;
-    collision_->refit(step, collision_settings(params_));
-    stats.stage_ms.refit += watch.lap_ms();
-    const bool contacts = !collision_->query(step).empty();
-    stats.stage_ms.query += watch.lap_ms();
-    if (contacts) {
-        solver_->download_velocities(state_.velocities);
-        velocities_fresh_ = true;
-        stats.stage_ms.readback += watch.lap_ms();
-        collision_->respond(step);
-        stats.stage_ms.respond += watch.lap_ms();
-        solver_->upload_velocities(state_.velocities);
-        stats.stage_ms.upload += watch.lap_ms();
-    }
-    if (params_.count_pass_through) {  // a measurement, in no stage
-        collision_->count_pass_through(step);
-        pass_positions_ = state_.positions;
-    }
-    add_pass(stats, collision_->counts());
 }
 
 std::vector<FrameStats> Simulation::advance(double elapsed_s)

@@ -14,6 +14,7 @@
 #include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
+#include "sim/start_check.h"
 #include "solver/base/cloth_solver.h"
 
 namespace nuno {
@@ -34,6 +35,8 @@ class Simulation
     int frame() const { return frame_; }
     double time_s() const { return time_s_; }
     int thread_count() const { return pool_->thread_count(); }
+    // Of the last start, or of when the level of collision was last raised to one that needs it.
+    const StartCheck& start_check() const { return start_check_; }
 
     // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the
     // start (needs_restart) starts again. Error (nothing changed) where they do not work.
@@ -67,16 +70,19 @@ class Simulation
 
   private:
     void build(const SimParams& asked);
+    StartCheck check_now(SimParams params);
     void download();
     void follow_stretch();
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
     std::vector<Tether> reach_of(std::uint32_t vertex) const;
     void collide(FrameStats& stats, float interval_s);
-    void foresee_contacts(FrameStats& stats, float interval_s);
+    int foresee_frame(FrameStats& stats);
+    const SpeculativeContacts& foresee(FrameStats& stats, float interval_s);
+    void hand_on_contacts(FrameStats& stats, const SpeculativeContacts& found);
     void respond_to_impacts(FrameStats& stats, float interval_s);
     void check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const;
-    int pass_count() const;
+    int most_passes() const;
 
     struct Held
     {
@@ -95,8 +101,11 @@ class Simulation
     bool keeps_contacts_ = false;                  // the solver has some
     ClothState state_;                             // on the host; as fresh as the two flags say
     bool positions_fresh_ = false, velocities_fresh_ = false;
-    std::vector<glm::vec4> start_positions_;  // of the pass, where the level looks at its whole way
+    std::vector<glm::vec4> start_positions_;  // of the last pass, where the level sees ahead; none: there was none
+    float pass_s_ = 0;                        // how long that was
+    int chosen_passes_ = 1;                   // for the next frame, where passes are chosen
     std::vector<glm::vec4> pass_positions_;   // at the last pass, for counting what went through since
+    StartCheck start_check_;
     std::optional<Held> held_;
     std::vector<glm::dvec3> stiffest_mode_;  // of stability()
     int frame_ = 0;

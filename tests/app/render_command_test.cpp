@@ -126,8 +126,8 @@ TEST(RenderCommand, a_promise_that_is_not_kept_exits_with_1_and_says_where)
     };
     const ProgramResult touching = run(scene("touching.toml", "0.5"));
     EXPECT_EQ(touching.exit_code, 1);
-    EXPECT_THAT(touching.err, HasSubstr("layers touch"));
-    EXPECT_THAT(touching.err, HasSubstr("first in frame 1"));
+    EXPECT_THAT(touching.err, HasSubstr("`guaranteed` does not hold: layers touched"));
+    EXPECT_THAT(touching.err, HasSubstr("face 0 of sheet cloth touches face 8 of sheet cloth at "));
     EXPECT_EQ(run(scene("apart.toml", "1.5")).exit_code, 0);
 }
 

@@ -1,6 +1,8 @@
 // The session behind the window: what is refused or goes bad is told, and never ends it.
 #include "app/viewer_session.h"
 
+#include <fstream>
+
 #include "core/error.h"
 #include "gl/gl_test.h"
 
@@ -57,6 +59,26 @@ TEST_F(ViewerSessionTest, a_parameter_of_the_start_builds_another_cloth)
     EXPECT_EQ(session.start_count(), 2);
     EXPECT_EQ(session.simulation().frame(), 0);
     EXPECT_EQ(session.simulation().model().vertex_count(), 81u);
+}
+
+TEST_F(ViewerSessionTest, a_tangled_start_is_told_where_the_level_minds)
+{
+    const std::string path = testing::TempDir() + "nuno_tangled.toml";
+    std::ofstream(path) << "[[sheet]]\nname = \"a\"\ncolumns = 5\n[[sheet]]\nname = \"b\"\ncolumns = 5\n"
+                           "origin = [0.13, 0.0, -0.3]\nacross = [0.5, 0.0, 0.7]\n";
+    ViewerOptions options = seed_options(true);
+    options.quiet = true;
+    options.start.scene = load_scene(path);
+    options.start.params.collision = CollisionLevel::discrete;
+    options.start.params.culling = Culling::sound;
+    ViewerSession session(options, log_, false);
+    EXPECT_EQ(session.error(), "");
+    set(session, "collision", double(CollisionLevel::guaranteed));
+    EXPECT_NE(session.error().find("at the start"), std::string::npos);
+    EXPECT_NE(session.error().find("of sheet b goes through face"), std::string::npos) << session.error();
+    session.dismiss_error();
+    session.restart();
+    EXPECT_EQ(session.error(), "") << "told already";
 }
 
 TEST_F(ViewerSessionTest, a_refused_value_is_told_and_the_old_one_stays)

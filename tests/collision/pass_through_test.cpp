@@ -99,8 +99,8 @@ TEST(PassThrough, no_motion_and_no_area_are_no_passing)
 std::vector<VertexFace> by_tree(const Pose& pose, std::span<const glm::vec4> moved, int threads)
 {
     ThreadPool pool(threads);
-    BoxTree tree(pose.rest, pose.faces);
-    return find_pass_through(tree, pose.positions, moved, pool);
+    ElementQuery query(pose.rest, pose.faces, pose.sheets, ElementKinds::vertex_face);
+    return find_pass_through(query, pose.positions, moved, pool);
 }
 
 TEST(PassThrough, nothing_passes_where_nothing_moves)
@@ -138,12 +138,9 @@ TEST(PassThrough, does_not_depend_on_the_number_of_threads)
 TEST(PassThrough, a_sheet_thrown_through_another_is_counted_vertex_by_vertex)
 {
     Pose pose = flat_sheet(9);
-    const Pose large = flat_sheet(5);
-    for (const glm::vec3& p : large.rest) {
-        pose.rest.push_back(p + glm::vec3(0, 0, 9));
-        pose.positions.emplace_back(2.0f * p.x - 0.51f, 2.0f * p.y - 0.47f, 0.1f, 1.0f);
-    }
-    for (const glm::uvec3& face : large.faces) pose.faces.push_back(face + 81u);
+    Pose large = flat_sheet(5);
+    for (glm::vec4& p : large.positions) p = glm::vec4(2.0f * p.x - 0.51f, 2.0f * p.y - 0.47f, 0.1f, 1.0f);
+    add_sheets(pose, large);
     std::vector<glm::vec4> moved = pose.positions;
     for (int i = 0; i < 81; ++i) moved[i].z += 1.0f;
 

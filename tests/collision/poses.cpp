@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/cloth_model.h"
-
 namespace nuno {
 namespace {
 
@@ -39,7 +37,9 @@ class Dice
 Pose bent_sheet(int n, const std::function<glm::vec3(float u, float v)>& place)
 {
     const TriangleMesh mesh = grid_mesh(n, n, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    Pose pose{mesh.positions, {}, mesh.faces};
+    const auto vertex_count = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto face_count = static_cast<std::uint32_t>(mesh.faces.size());
+    Pose pose{mesh.positions, {}, mesh.faces, {{"sheet", 0, vertex_count, 0, face_count, n, n, {}}}};
     for (const glm::vec3& p : pose.rest) pose.positions.emplace_back(place(p.x, p.y), 1.0f);
     return pose;
 }
@@ -96,15 +96,11 @@ Pose stacked_sheets(int n, int count, std::uint32_t seed)
     Pose all;
     for (int sheet = 0; sheet < count; ++sheet) {
         const glm::vec3 tilt = 0.02f * dice.vector(), shift = 0.01f * dice.vector() + glm::vec3(0, 0, 0.01f * sheet);
-        const Pose one = bent_sheet(n, [&](float u, float v) {
+        Pose one = bent_sheet(n, [&](float u, float v) {
             return glm::vec3(u + tilt.z * v, v - tilt.z * u, tilt.x * u + tilt.y * v) + shift;
         });
-        const auto first = static_cast<std::uint32_t>(all.rest.size());
-        for (std::size_t i = 0; i < one.rest.size(); ++i) {
-            all.rest.push_back(one.rest[i] + glm::vec3(0, 0, static_cast<float>(sheet)));
-            all.positions.push_back(one.positions[i]);
-        }
-        for (const glm::uvec3& face : one.faces) all.faces.push_back(face + first);
+        for (glm::vec3& p : one.rest) p.z += static_cast<float>(sheet);
+        add_sheets(all, one);
     }
     return all;
 }
@@ -146,6 +142,20 @@ Pose spiral_ramp(int n, float rise)
         const float angle = 4.0f * kPi * u, r = 0.2f + 0.3f * v;
         return glm::vec3(r * std::cos(angle), r * std::sin(angle), 2.0f * rise * u);
     });
+}
+
+void add_sheets(Pose& pose, const Pose& more)
+{
+    const auto first_vertex = static_cast<std::uint32_t>(pose.rest.size());
+    const auto first_face = static_cast<std::uint32_t>(pose.faces.size());
+    pose.rest.insert(pose.rest.end(), more.rest.begin(), more.rest.end());
+    pose.positions.insert(pose.positions.end(), more.positions.begin(), more.positions.end());
+    for (const glm::uvec3& face : more.faces) pose.faces.push_back(face + first_vertex);
+    for (Sheet sheet : more.sheets) {
+        sheet.first_vertex += first_vertex;
+        sheet.first_face += first_face;
+        pose.sheets.push_back(sheet);
+    }
 }
 
 std::vector<glm::vec4> shaken(std::span<const glm::vec4> positions, float distance, std::uint32_t seed)

@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "model/cloth_model.h"
+
 namespace nuno {
 
 struct Pose
@@ -16,6 +18,7 @@ struct Pose
     std::vector<glm::vec3> rest;       // [m]
     std::vector<glm::vec4> positions;  // xyz [m], w = 1
     std::vector<glm::uvec3> faces;
+    std::vector<Sheet> sheets{};  // grids; none: one mesh
 };
 
 // A flat grid of n x n vertices, one metre a side, in the plane z = 0.
@@ -34,6 +37,9 @@ Pose face_soup(int face_count, std::uint32_t seed);
 Pose flat_c(int n, float rise);
 // A ramp of two turns around an axis, `rise` a turn: all normals nearly alike.
 Pose spiral_ramp(int n, float rise);
+
+// Adds the sheets of `more`, where they are.
+void add_sheets(Pose& pose, const Pose& more);
 
 // Moves every vertex by up to `distance` along each axis.
 std::vector<glm::vec4> shaken(std::span<const glm::vec4> positions, float distance, std::uint32_t seed);

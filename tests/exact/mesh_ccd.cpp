@@ -92,7 +92,7 @@ void run(const std::string& first, const std::string& second)
     Stopwatch watch;
     ElementQuery query(rest, faces);
     const double build_ms = watch.lap_ms();
-    const int tasks = query.begin(x0, x1, growth, pool);
+    const int tasks = query.begin({x0, x1}, {2 * growth, Culling::sound}, pool);
     const double tree_ms = watch.lap_ms();
     std::vector<Answer> answers(static_cast<std::size_t>(tasks));
     run_tasks(pool, tasks, [&](int task) {

@@ -38,8 +38,9 @@ std::string refusal(const std::string& text)
 TEST(Scene, every_scene_of_the_library_loads_has_a_title_and_ends_with_a_check)
 {
     const std::vector<std::string> names = scene_names();
-    EXPECT_THAT(names, testing::IsSupersetOf({"seed", "hang", "flag", "curtain", "drape", "gale", "table", "mannequin",
-                                              "twist", "stack", "swing"}));
+    EXPECT_THAT(
+        names, testing::IsSupersetOf({"seed", "hang", "flag", "curtain", "drape", "gale", "table", "mannequin", "twist",
+                                      "stack", "swing", "fold", "roll", "squeeze", "bag", "fast_collider"}));
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
         EXPECT_FALSE(scene.title.empty()) << name;
@@ -65,7 +66,7 @@ TEST(Scene, keys_reach_the_parameters_the_sheets_and_the_bodies)
         "title = \"t\"\n[params]\nwind_strength = 3\nmethod = \"explicit_euler\"\ncount_pass_through = true\n"
         "[view]\nlook = \"phong\"\n" +
         kSheet +
-        "pins = [\"top\", \"left@0.5\", 24]\n"
+        "pins = [\"top\", \"left@0.5\", \"centre\", 24]\n"
         "[[sphere]]\nradius = 0.5\n[[plane]]\nnormal = [0, 2, 0]\noffset = -1.5\n"
         "[check]\nframes = 10\ncontacts = [1, inf]\n");
     EXPECT_EQ(scene.params.wind_strength, 3);
@@ -77,17 +78,17 @@ TEST(Scene, keys_reach_the_parameters_the_sheets_and_the_bodies)
     EXPECT_EQ(scene.bodies.planes.at(0).normal, glm::vec3(0, 1, 0));
     EXPECT_EQ(scene.check.frames, 10);
     const SheetSource sheet = make_sheets(scene, scene.params).front();
-    EXPECT_THAT(sheet.pins, testing::UnorderedElementsAre(0, 1, 2, 3, 4, 10, 24));
+    EXPECT_THAT(sheet.pins, testing::UnorderedElementsAre(0, 1, 2, 3, 4, 10, 12, 24));
 }
 
 TEST(Scene, resolution_sets_the_longer_side_and_keeps_the_cells)
 {
-    Scene scene = load("[[sheet]]\ncolumns = 9\nrows = 5\nacross = [2, 0, 0]\npins = [\"top_right\"]\n");
+    Scene scene = load("[[sheet]]\ncolumns = 9\nrows = 5\nacross = [2, 0, 0]\npins = [\"top_right\", \"centre\"]\n");
     scene.params.resolution = 33;
     const SheetSource sheet = make_sheets(scene, scene.params).front();
     EXPECT_EQ(sheet.columns, 33);
     EXPECT_EQ(sheet.rows, 17);
-    EXPECT_THAT(sheet.pins, testing::ElementsAre(32));
+    EXPECT_THAT(sheet.pins, testing::ElementsAre(32, 280));
 }
 
 TEST(Scene, pleats_fold_the_start_without_stretching_a_thread)
@@ -129,6 +130,7 @@ TEST(Scene, sheets_that_cannot_be_made_are_named_with_their_line)
     EXPECT_THAT(refusal("[[sheet]]\ncolumns = 5\nacross = [1, inf, 0]\n"), HasSubstr("three finite"));
     EXPECT_THAT(refusal("[[sheet]]\ncolumns = 5\npins = [\"topp\"]\n"), HasSubstr("nearest is top"));
     EXPECT_THAT(refusal("[[sheet]]\ncolumns = 5\npins = [\"top@2\"]\n"), HasSubstr("0 to 1"));
+    EXPECT_THAT(refusal("[[sheet]]\ncolumns = 5\npins = [\"centre@0.5\"]\n"), HasSubstr("no parts"));
     EXPECT_THAT(refusal("[[sheet]]\ncolumns = 5\npins = [-3]\n"), HasSubstr("pins"));
     EXPECT_THAT(refusal("[[sheet]]\nmesh = \"missing.obj\"\n"), HasSubstr("missing.obj"));
     EXPECT_THAT(refusal("sheet = 3\n"), HasSubstr("test.toml:1"));

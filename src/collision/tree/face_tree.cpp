@@ -47,7 +47,7 @@ FaceTree::FaceTree(std::span<const glm::vec3> rest_positions, std::span<const gl
         if (!make_grid_patch(sheet, faces_))
             if (auto chart = RestChart::make(rest_positions, faces_, sheet)) charts_.push_back(std::move(*chart));
     for (const GridPatch& grid : layout_.grids) {
-        const GridProof& proof = proofs_.emplace_back(grid);
+        const GridProof& proof = proofs_.emplace_back(grid, rest_positions);
         proof_levels_.emplace_back();
         for (int level = 1; level < kMostLevels; ++level) proof_levels_.push_back(proof.level(level));
     }
@@ -140,11 +140,10 @@ bool FaceTree::prove(const Poses& poses, const TreeSettings& settings, ThreadPoo
     });
     bool all = proofs_.size() + charts_.size() == sheet_count_;
     for (GridProof& proof : proofs_) {
-        proof.prove(settings.distance, *kernels_);
+        proof.prove(settings.distance, settings.rest_share, *kernels_);
         all = all && proof.holds_for_all();
     }
-    for (const RestChart& chart : charts_)
-        all = all && chart.is_apart(poses, faces_, settings.distance, *kernels_, pool);
+    for (const RestChart& chart : charts_) all = all && chart.is_apart(poses, faces_, settings, *kernels_, pool);
     return all;
 }
 

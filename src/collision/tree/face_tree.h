@@ -21,14 +21,6 @@
 
 namespace nuno {
 
-struct TreeSettings
-{
-    // [m] Faces that come as near as this are found: the box of a face, over its way from t0 to t1, grows by half of it
-    // on every side, and by what rounding could take away.
-    float distance = 0;
-    Culling culling = Culling::none;
-};
-
 // The box of a face in the frame of a refit, grown.
 struct FaceBox
 {

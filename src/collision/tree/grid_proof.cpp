@@ -2,6 +2,9 @@
 #include "collision/tree/grid_proof.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace nuno {
 namespace {
@@ -20,9 +23,28 @@ void forget_edges(const EdgeLevel& level)
         std::fill_n(level.bound[bound], size, bound / 3 % 2 == 1 ? -kNoEdge : kNoEdge);
 }
 
+// The largest norm of the rest shape's gradient, lengths in cells: that of u and v in one triangle is the larger root of
+//     s^2 - (u.u + v.v) s + (u.u v.v - (u.v)^2) = 0, squared.
+float largest_spacing(const GridPatch& grid, std::span<const glm::vec3> rest_positions)
+{
+    double largest = 0;
+    const auto at = [&](int i, int j) { return glm::dvec3(rest_positions[grid.vertex(i, j)]); };
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i)
+            // Whichever way the cell is cut, its triangles have one of the two rows and one of the two columns as sides.
+            for (int corner = 0; corner < 4; ++corner) {
+                const int di = corner & 1, dj = corner >> 1;
+                const glm::dvec3 u = at(i + 1, j + dj) - at(i, j + dj), v = at(i + di, j + 1) - at(i + di, j);
+                const double a = glm::dot(u, u), b = glm::dot(v, v), c = glm::dot(u, v);
+                largest = std::max(largest, 0.5 * (a + b + std::sqrt((a - b) * (a - b) + 4 * c * c)));
+            }
+    return static_cast<float>(std::sqrt(largest));
+}
+
 }  // namespace
 
-GridProof::GridProof(const GridPatch& grid)
+GridProof::GridProof(const GridPatch& grid, std::span<const glm::vec3> rest_positions)
+    : rest_spacing_(largest_spacing(grid, rest_positions))
 {
     int width = (grid.columns + 3) / 4, height = (grid.rows + 3) / 4;
     while (levels_.empty() || levels_.back().width > 1 || levels_.back().height > 1) {
@@ -44,9 +66,10 @@ GridProof::GridProof(const GridPatch& grid)
 
 void GridProof::clear() { forget_edges(levels_.front()); }
 
-void GridProof::prove(float distance, const TreeKernels& kernels)
+// Points p, q are at most rest_spacing_ |p - q| apart at rest: lambda above rest_share rest_spacing_ is enough.
+void GridProof::prove(float distance, float rest_share, const TreeKernels& kernels)
 {
-    const float need = kCellsApart * distance * 1.0001f + 1e-6f;
+    const float need = std::min(kCellsApart * distance, rest_share * rest_spacing_) * 1.0001f + 1e-6f;
     for (std::size_t n = 1; n < levels_.size(); ++n) kernels.merge_edges(levels_[n - 1], levels_[n]);
     kernels.prove_blocks(levels_.back(), need, kEdgeSlack, flags_.back().data());
     if (holds_for_all()) {

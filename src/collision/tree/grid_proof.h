@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "collision/tree/kernels.h"
 
@@ -12,14 +15,15 @@ namespace nuno {
 class GridProof
 {
   public:
-    explicit GridProof(const GridPatch& grid);
+    GridProof(const GridPatch& grid, std::span<const glm::vec3> rest_positions);
 
     // Forgets the edges of the last step.
     void clear();
     // Where bands of rows are added, each by one thread: EdgeLevel of blocks of 4 x 4 cells.
     const EdgeLevel& base() const { return levels_.front(); }
-    // Faces without a common vertex are more than `distance` [m] apart in every window whose flag is set.
-    void prove(float distance, const TreeKernels& kernels);
+    // In every window whose flag is set, faces without a common vertex are more than `distance` [m] apart, or more than
+    // `rest_share` of their distance at rest.
+    void prove(float distance, float rest_share, const TreeKernels& kernels);
 
     bool holds_for_all() const { return flags_.back()[0] & 1; }
     // Of nodes of a level of the tree; those of level 0 have none.
@@ -33,6 +37,7 @@ class GridProof
   private:
     void find_open_blocks();
 
+    float rest_spacing_;  // [m] that points one cell apart are apart at rest, at most
     std::vector<std::vector<float>> storage_;
     std::vector<EdgeLevel> levels_;
     std::vector<std::vector<std::uint8_t>> flags_;

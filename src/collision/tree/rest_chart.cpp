@@ -101,7 +101,7 @@ std::optional<RestChart> RestChart::make(std::span<const glm::vec3> rest_positio
     return chart;
 }
 
-bool RestChart::is_apart(const Poses& poses, std::span<const glm::uvec3> faces, float distance,
+bool RestChart::is_apart(const Poses& poses, std::span<const glm::uvec3> faces, const TreeSettings& settings,
                          const TreeKernels& kernels, ThreadPool& pool) const
 {
     typedef std::array<float, 12> Bounds;
@@ -127,7 +127,8 @@ bool RestChart::is_apart(const Poses& poses, std::span<const glm::uvec3> faces, 
             rows[bound][0] =
                 bound / 3 % 2 == 1 ? std::max(rows[bound][0], part[bound]) : std::min(rows[bound][0], part[bound]);
     }
-    const double need = double(distance) / least_height_ * 1.0001 + 1e-6 / least_height_;
+    const double asked = std::min(double(settings.distance) / least_height_, double(settings.rest_share));
+    const double need = asked * 1.0001 + 1e-6 / least_height_;
     std::uint8_t flag = 0;
     kernels.prove_blocks(whole, static_cast<float>(need), slack_, &flag);
     return (flag & 1) != 0;

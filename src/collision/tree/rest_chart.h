@@ -22,10 +22,10 @@ class RestChart
     static std::optional<RestChart> make(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
                                          const Sheet& sheet);
 
-    // Whether vertices are more than `distance` [m] from the faces that they are no corners of, and edges from edges
-    // without a common end, all over the sheet at all times of the way (docs/tree.md).
-    bool is_apart(const Poses& poses, std::span<const glm::uvec3> faces, float distance, const TreeKernels& kernels,
-                  ThreadPool& pool) const;
+    // Whether vertices are further than the settings ask from the faces that they are no corners of, and edges from
+    // edges without a common end, all over the sheet at all times of the way (docs/tree.md).
+    bool is_apart(const Poses& poses, std::span<const glm::uvec3> faces, const TreeSettings& settings,
+                  const TreeKernels& kernels, ThreadPool& pool) const;
 
   private:
     std::uint32_t first_face_ = 0;

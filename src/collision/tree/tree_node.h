@@ -4,10 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
+
+#include "model/sim_params.h"
 
 namespace nuno {
 
@@ -17,6 +20,17 @@ struct Poses
     std::span<const glm::vec4> t0, t1;
 
     bool is_swept() const { return t0.data() != t1.data(); }
+};
+
+struct TreeSettings
+{
+    // [m] Faces that come as near as this are found: the box of a face, over its way from t0 to t1, grows by half of it
+    // on every side, and by what rounding could take away.
+    float distance = 0;
+    Culling culling = Culling::none;
+    // Culling::sound: of one sheet, faces that stay further apart than this share of their distance at rest need not be
+    // found either.
+    float rest_share = std::numeric_limits<float>::infinity();
 };
 
 // Two faces whose boxes overlap, a < b, without a common vertex.

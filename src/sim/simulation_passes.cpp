@@ -1,0 +1,202 @@
+// The passes of a frame: solver and collision in turn.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/stopwatch.h"
+#include "sim/simulation.h"
+
+namespace nuno {
+namespace {
+
+// What vertices that may touch move relative to each other in a pass, or bodies at all, about [m], where passes are
+// chosen; and how many that are at most.
+constexpr double kMotionOfPass = 0.05;
+constexpr int kMostChosenPasses = 16;
+
+// How far the fastest body goes between two times [m]; turning is not counted.
+double largest_body_motion(const Bodies& bodies, double from_s, double to_s)
+{
+    double largest = 0;
+    for (const PlacedBody& body : placed_bodies(bodies))
+        if (body.motion->moves())
+            largest = std::max(largest, glm::distance(pose_at(*body.motion, body.rest, from_s).position,
+                                                      pose_at(*body.motion, body.rest, to_s).position));
+    return largest;
+}
+
+bool follows_the_way(const SimParams& params) { return params.collision >= CollisionLevel::continuous; }
+
+LayerSettings layer_settings(const SimParams& params)
+{
+    return {params.thickness, params.friction, params.collision == CollisionLevel::guaranteed, params.culling,
+            params.collision_budget};
+}
+
+void add_pass(FrameStats& stats, const CollisionCounts& pass)
+{
+    CollisionCounts& sum = stats.count;
+    sum.pairs_tested += pass.pairs_tested;
+    sum.pairs_culled += pass.pairs_culled;
+    sum.contacts += pass.contacts;
+    sum.impacts += pass.impacts;
+    sum.zones += pass.zones;
+    sum.rollbacks += pass.rollbacks;
+    sum.unresolved += pass.unresolved;
+    stats.peak_contacts = std::max(stats.peak_contacts, pass.contacts);
+}
+
+}  // namespace
+
+// Passes of a frame, but for levels that see ahead and choose them themselves: at most.
+int Simulation::most_passes() const
+{
+    if (params_.collision == CollisionLevel::none) return 1;
+    const bool chosen = params_.collision_passes == 0;
+    const int passes = !chosen ? params_.collision_passes : sees_ahead(params_.collision) ? kMostChosenPasses : 1;
+    return std::min(passes, params_.substeps);
+}
+
+FrameStats Simulation::advance_frame()
+{
+    FrameStats stats;
+    Stopwatch measuring;
+    follow_stretch();
+    stats.stage_ms.solve = measuring.lap_ms();
+    stats.substeps = params_.substeps;
+    const double h = double(substep_s(params_));
+    const int substeps = params_.substeps,
+              passes = sees_ahead(params_.collision) ? foresee_frame(stats) : most_passes();
+    if (!sees_ahead(params_.collision)) {
+        if (keeps_contacts_) hand_on_contacts(stats, {});
+        start_positions_.clear();
+    }
+    for (int pass = 0; pass < passes; ++pass) {
+        const int first = substeps * pass / passes, last = substeps * (pass + 1) / passes;
+        const auto interval_s = static_cast<float>((last - first) * h);
+        if (sees_ahead(params_.collision)) {
+            if (pass > 0) hand_on_contacts(stats, foresee(stats, interval_s));
+            start_positions_ = state_.positions;
+            pass_s_ = interval_s;
+        }
+        Stopwatch watch;
+        run_substeps(first, last);
+        solver_->finish();
+        stats.stage_ms.solve += watch.lap_ms();
+        positions_fresh_ = velocities_fresh_ = false;
+        const bool on_host = params_.collision != CollisionLevel::none || params_.count_pass_through;
+        if (on_host) {
+            solver_->download_positions(state_.positions);
+            positions_fresh_ = true;
+            stats.stage_ms.readback += watch.lap_ms();
+        }
+        check_not_lost(on_host ? first_lost(state_.positions) : solver_->first_lost(), first, last);
+        if (follows_the_way(params_)) respond_to_impacts(stats, interval_s);
+        if (on_host) collide(stats, interval_s);
+    }
+    stats.frame = ++frame_;
+    stats.time_s = time_s_ += 1.0 / params_.frame_rate;
+    return stats;
+}
+
+// Contacts until the end of the first pass, and the number of passes. Where that is chosen, it is what the frame before
+// would have needed, or more where layers near each other faster now.
+int Simulation::foresee_frame(FrameStats& stats)
+{
+    const int most = most_passes(), substeps = params_.substeps;
+    const auto pass_s = [&](int passes) { return static_cast<float>(substeps / passes * double(substep_s(params_))); };
+    const bool chosen = params_.collision_passes == 0;
+    int passes = chosen ? std::min(chosen_passes_, most) : most;
+    const SpeculativeContacts* found = &foresee(stats, pass_s(passes));
+    if (chosen) {
+        const double of_bodies = largest_body_motion(scene_.bodies, time_s_, time_s_ + 1.0 / params_.frame_rate);
+        const double motion = std::max(double(found->largest_approach) * passes, of_bodies);
+        chosen_passes_ = std::clamp(static_cast<int>(std::ceil(motion / kMotionOfPass)), 1, most);
+        if (chosen_passes_ > passes) found = &foresee(stats, pass_s(passes = chosen_passes_));
+    }
+    hand_on_contacts(stats, *found);
+    return passes;
+}
+
+// Vertices are taken to go on as they did in the last pass: how stiff threads shake them meanwhile leads nowhere.
+const SpeculativeContacts& Simulation::foresee(FrameStats& stats, float interval_s)
+{
+    Stopwatch watch;
+    if (!layers_) layers_ = std::make_unique<ContinuousCollision>(*model_, *pool_);
+    if (!positions_fresh_) solver_->download_positions(state_.positions);
+    positions_fresh_ = true;
+    if (start_positions_.empty()) download();
+    stats.stage_ms.readback += watch.lap_ms();
+    std::vector<glm::vec4> velocities = state_.velocities;
+    for (std::size_t v = 0; v < start_positions_.size(); ++v)
+        velocities[v] = (state_.positions[v] - start_positions_[v]) / pass_s_;
+    const SpeculativeContacts& found =
+        layers_->foresee(state_.positions, velocities, interval_s, layer_settings(params_));
+    stats.stage_ms.query += watch.lap_ms();
+    return found;
+}
+
+void Simulation::hand_on_contacts(FrameStats& stats, const SpeculativeContacts& found)
+{
+    Stopwatch watch;
+    if (keeps_contacts_ || !found.contacts.empty()) solver_->set_contacts(found.contacts, model_->vertex_count());
+    keeps_contacts_ = !found.contacts.empty();
+    stats.stage_ms.upload += watch.lap_ms();
+    const auto contact_count = static_cast<std::uint32_t>(found.contacts.size());
+    stats.count.contacts += contact_count;
+    stats.peak_contacts = std::max(stats.peak_contacts, contact_count);
+}
+
+void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
+{
+    Stopwatch watch;
+    solver_->download_velocities(state_.velocities);
+    velocities_fresh_ = true;
+    stats.stage_ms.readback += watch.lap_ms();
+    const LayerCounts counts =
+        layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
+    stats.stage_ms.respond += watch.lap_ms();
+    if (held_) held_->position = glm::vec3(state_.positions[held_->vertex]);
+    if (counts.changed) {
+        solver_->upload_positions(state_.positions);
+        solver_->upload_velocities(state_.velocities);
+        stats.stage_ms.upload += watch.lap_ms();
+    }
+    stats.count.pairs_tested += counts.pairs_tested;
+    stats.count.impacts += counts.impacts;
+    stats.count.zones += counts.zones;
+    stats.count.rollbacks += counts.rollbacks;
+    stats.count.standstills += counts.standstill;
+    stats.count.largest_zone = std::max(stats.count.largest_zone, counts.largest_zone);
+    stats.count.held_back = std::max(stats.count.held_back, counts.held_back);
+    stats.count.lost_m += counts.lost_m;
+    stats.count.touching += counts.touching;
+    stats.count.unresolved += counts.unresolved;
+}
+
+void Simulation::collide(FrameStats& stats, float interval_s)
+{
+    const CollisionStep step{pass_positions_, state_.positions, state_.velocities, interval_s};
+    Stopwatch watch;
+    collision_->refit(step, collision_settings(params_));
+    stats.stage_ms.refit += watch.lap_ms();
+    const bool contacts = collision_->query(step);
+    stats.stage_ms.query += watch.lap_ms();
+    if (contacts) {
+        solver_->download_velocities(state_.velocities);
+        velocities_fresh_ = true;
+        stats.stage_ms.readback += watch.lap_ms();
+        collision_->respond(step);
+        stats.stage_ms.respond += watch.lap_ms();
+        solver_->upload_velocities(state_.velocities);
+        stats.stage_ms.upload += watch.lap_ms();
+    }
+    if (params_.count_pass_through) {  // a measurement, in no stage
+        collision_->count_pass_through(step);
+        pass_positions_ = state_.positions;
+    }
+    add_pass(stats, collision_->counts());
+}
+
+}  // namespace nuno
