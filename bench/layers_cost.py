@@ -16,10 +16,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDED = "bench/folded.toml"
 # Name: scene, frames, settings.
 LOADS = {
-    "folded 64": (FOLDED, 120, {}),
-    "folded 128": (FOLDED, 120, {"resolution": 128, "substeps": 6}),
+    "folded 64": (FOLDED, 120, {"substeps": 4}),
+    "folded 128": (FOLDED, 120, {"resolution": 128, "substeps": 10}),
     "flag": ("flag", 240, {"count_pass_through": "false", "collision_passes": 0}),
-    **{f"crumpled {n * n}": ("squeeze", 100, {"resolution": n, "thickness": round(0.25 / (n - 1), 5)})
+    **{f"crumpled {n * n}": ("squeeze", 100, {"resolution": n, "thickness": round(0.175 / (n - 1), 6), "method": "xpbd",
+                                          "substeps": 20, "collision_passes": 2})
        for n in (33, 100, 317)},
 }
 LEVELS = ["none", "spheres", "discrete", "speculative", "continuous", "guaranteed"]

@@ -119,7 +119,7 @@ bool certainly_apart(const FaceCorners& f, const FaceCorners& g, const Common& c
 // and Wolfe's method towards the nearest point of the differences g - f, from that of the middles on.
 bool certainly_apart(const FaceCorners& f, const FaceCorners& g)
 {
-    constexpr int kSteps = 4;
+    constexpr int steps = 4;
     float largest = 0;
     for (const FaceCorners* corners : {&f, &g})
         for (const glm::vec3& x : corners->x)
@@ -127,7 +127,7 @@ bool certainly_apart(const FaceCorners& f, const FaceCorners& g)
     glm::dvec3 way = glm::dvec3(g.x[0]) + glm::dvec3(g.x[1]) + glm::dvec3(g.x[2]) - glm::dvec3(f.x[0]) -
                      glm::dvec3(f.x[1]) - glm::dvec3(f.x[2]);
     way /= 3.0;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < steps; ++step) {
         const auto height = [&](const glm::vec3& p) { return glm::dot(glm::dvec3(p), way); };
         const std::array<double, 3> of_f{height(f.x[0]), height(f.x[1]), height(f.x[2])},
             of_g{height(g.x[0]), height(g.x[1]), height(g.x[2])};

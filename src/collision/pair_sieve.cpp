@@ -109,10 +109,10 @@ struct Planes
 template <PairKind kKind>
 NUNO_WIDE_INLINE Planes planes_across(Vec normal, const Corners& x, const Corners& ways)
 {
-    constexpr int kFirstOfB = kKind == PairKind::vertex_face ? 1 : 2;
+    constexpr int first_of_b = kKind == PairKind::vertex_face ? 1 : 2;
     Planes planes{Real(kInfinity), Real(0.0f), Real(0.0f)};
-    for (int a = 0; a < kFirstOfB; ++a)
-        for (int b = kFirstOfB; b < 4; ++b) {
+    for (int a = 0; a < first_of_b; ++a)
+        for (int b = first_of_b; b < 4; ++b) {
             const Vec way = ways[a] - ways[b], r = x[a] - x[b];
             planes.approach = max_real(planes.approach, dot(way, way));
             planes.size = max_real(planes.size, dot(r, r));

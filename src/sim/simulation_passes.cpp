@@ -105,7 +105,10 @@ FrameStats Simulation::advance_frame()
 int Simulation::foresee_frame(FrameStats& stats)
 {
     const int most = most_passes(), substeps = params_.substeps;
-    const auto pass_s = [&](int passes) { return static_cast<float>(substeps / passes * double(substep_s(params_))); };
+    const auto pass_s = [&](int passes) {
+        const int of_first = substeps / passes;
+        return static_cast<float>(of_first * double(substep_s(params_)));
+    };
     const bool chosen = params_.collision_passes == 0;
     int passes = chosen ? std::min(chosen_passes_, most) : most;
     const SpeculativeContacts* found = &foresee(stats, pass_s(passes));

@@ -17,7 +17,7 @@ struct Stress
     std::vector<std::string> settings;
 };
 
-void PrintTo(const Stress& stress, std::ostream* out) { *out << stress.name; }
+std::ostream& operator<<(std::ostream& out, const Stress& stress) { return out << stress.name; }
 
 std::vector<std::string> frames_of(const Stress& stress, const std::string& level, const std::filesystem::path& folder)
 {
