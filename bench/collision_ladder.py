@@ -75,7 +75,10 @@ def render(arguments, name, level, seed, folder):
 def count_crossings(arguments, folder):
     meshes = sorted(folder.glob("*.ply"))
     checked = subprocess.run([arguments.bin / "tests/mesh_intersections", *meshes], capture_output=True, text=True)
-    return [int(line.rsplit(": ", 1)[1]) for line in checked.stdout.splitlines()], checked.stderr.strip()
+    crossings = [int(line.rsplit(": ", 1)[1]) for line in checked.stdout.splitlines()]
+    if checked.returncode not in (0, 1) or len(crossings) != len(meshes):
+        return crossings, f"{len(crossings)} of {len(meshes)} frames checked. {checked.stderr}".strip()
+    return crossings, checked.stderr.strip()
 
 
 def run(arguments, name, level, seed):

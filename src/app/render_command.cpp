@@ -70,6 +70,8 @@ struct RunResult
     std::uint64_t touching = 0;        // pairs of layers that touched as a pass began, in all frames
     std::uint64_t unresolved = 0;      // pairs of layers that the level of collision let through, in all frames
     int first_unresolved = 0;          // the first frame with one
+    int held_back_frames = 0;          // in which vertices on handles went back with layers
+    int first_held_back = 0;
 };
 
 // Why a run at `guaranteed` did not keep its promise; empty where it did.
@@ -106,6 +108,10 @@ ExitCode report_promise(const SceneRun& run, const StartCheck& start, const RunR
     if (result.check && !quiet)
         fmt::print(stderr, "{}: check of {} poses: {}\n", run.scene.name, result.check->counts().poses,
                    findings_text(result.check->counts(), one_pass));
+    if (result.held_back_frames > 0 && !quiet)
+        fmt::print(stderr,
+                   "{}: in {} frames, first in frame {}, layers left handles no room for their motion: they lag\n",
+                   run.scene.name, result.held_back_frames, result.first_held_back);
     if (run.params.collision != CollisionLevel::guaranteed) return ExitCode::done;
     const std::vector<std::string> reasons = broken_promises(start, result, one_pass);
     for (const std::string& reason : reasons)
@@ -122,6 +128,7 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
     if (stats.count.unresolved > 0 && result.unresolved == 0) result.first_unresolved = frame;
     result.unresolved += stats.count.unresolved;
     result.touching += stats.count.touching;
+    if (stats.count.held_back > 0 && result.held_back_frames++ == 0) result.first_held_back = frame;
     if (result.check && result.check->wants(frame))
         for (const std::string& line : result.check->look(frame, simulation.state().positions))
             fmt::print(stderr, "{}: {}\n", run.scene.name, line);

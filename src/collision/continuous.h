@@ -64,8 +64,7 @@ class ContinuousCollision
                                        float duration, const LayerSettings& settings);
 
     // Answers all impacts on the way of the pass: rounds of impulses, then, where guaranteed, rollback until none is
-    // left. Start must be free of intersections for that to hold; pairs that
-    // touch there are let alone.
+    // left. Start must be free of intersections for that to hold; pairs that touch there are let alone.
     LayerCounts respond(const LayerPass& pass, const LayerSettings& settings);
 
   private:

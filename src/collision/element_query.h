@@ -27,8 +27,9 @@ class ElementQuery
 
     std::span<const glm::uvec3> faces() const { return elements_.faces(); }
 
-    // Begins a query of what comes as near as the settings ask on the way of the poses, which must stay as they are until
-    // the last task is done; returns the number of tasks. What the tasks are does not depend on the number of threads.
+    // Begins a query of what comes as near as the settings ask on the way of the poses, which must stay as they are
+    // until the last task is done; returns the number of tasks. What the tasks are does not depend on the number of
+    // threads.
     int begin(const Poses& poses, const TreeSettings& settings, ThreadPool& pool);
     // Calls body(const ElementPair&) for the pairs of one task, in a fixed order; each pair is in one task, once.
     // Different tasks may run on different threads.

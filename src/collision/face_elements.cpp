@@ -1,10 +1,17 @@
 // Who owns what, and the pairs of neighbouring faces.
 #include "collision/face_elements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/error.h"
 
 namespace nuno {
 namespace {
+
+// All pairs of faces around a vertex are kept, so their number has a bound.
+constexpr std::uint32_t kMostFacesAround = 1000;
 
 // Faces around every vertex, in order of their numbers: those of vertex v are [starts[v], starts[v + 1]) of `faces`.
 struct FacesAround
@@ -59,6 +66,10 @@ NearPairs FaceElements::near_pairs() const
     std::uint32_t vertex_count = 0;
     for (const glm::uvec3& face : faces_) vertex_count = std::max({vertex_count, face.x + 1, face.y + 1, face.z + 1});
     const FacesAround around = faces_around(faces_, vertex_count);
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+        if (const std::uint32_t count = around.starts[v + 1] - around.starts[v]; count > kMostFacesAround)
+            throw Error(fmt::format("vertex {} is a corner of {} faces; where layers collide it may be one of {}", v,
+                                    count, kMostFacesAround));
     NearPairs near;
     near.starts.push_back(0);
     std::vector<std::uint32_t> others;

@@ -54,7 +54,8 @@ class FaceElements
     std::span<const glm::uvec2> edges() const { return edges_; }
 
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    // Corner i of a face, and the edge from it to the next; kNone where another face owns it, or no edges are asked for.
+    // Corner i of a face, and the edge from it to the next; kNone where another face owns it, or where no edges are
+    // asked for.
     struct Owned
     {
         std::array<std::uint32_t, 3> vertices{kNone, kNone, kNone};

@@ -9,7 +9,8 @@
 namespace nuno {
 namespace {
 
-// Of the largest relative motion of a pair, what is allowed for a normal that turns, and for a way that is not straight.
+// Of the largest relative motion of a pair, what is allowed for a normal that turns, and for a way that is no straight
+// one.
 constexpr float kTurning = 0.3f, kBending = 0.1f;
 // Of the reach, how far closest points may lie outside of an element, besides that motion.
 constexpr float kOutside = 0.1f;
@@ -154,14 +155,18 @@ NUNO_WIDE_INLINE Foreseen foresee_lanes(const Corners& x, const Corners& ways, f
 }
 
 // Differences of corners and ways are rounded by 2^-24 of themselves; a product with a normal of nearly unit length and
-// their sum add a few of the same: 16 in all, taken as 32.
+// their sum add a few of the same: 16 in all, taken as 32. The ways themselves are rounded differences, by 2^-24 of
+// each on each axis: less than 4 in all, taken as 8.
 template <PairKind kKind>
 NUNO_WIDE_INLINE Real bound_lanes(const Corners& x, const Corners& ways)
 {
     const Vec between = separation_of<kKind>(x).between;
     const Vec normal = between / positive(sqrt_real(dot(between, between)));
     const Planes planes = planes_across<kKind>(normal, x, ways);
-    return planes.gap - Real(0x1p-19f) * (sqrt_real(planes.size) + sqrt_real(planes.approach));
+    Real longest = Real(0.0f);
+    for (int corner = 0; corner < 4; ++corner) longest = max_real(longest, dot(ways[corner], ways[corner]));
+    return planes.gap - Real(0x1p-19f) * (sqrt_real(planes.size) + sqrt_real(planes.approach)) -
+           Real(0x1p-21f) * sqrt_real(longest);
 }
 
 // Calls body(x, ways, first, count) for eight pairs after eight; where fewer are left the last is repeated.

@@ -17,11 +17,12 @@ namespace nuno {
 struct StraightStep
 {
     std::span<const glm::vec4> start;  // positions [m]
-    std::span<const glm::vec4> ways;   // what each vertex moves by [m]
+    std::span<const glm::vec4> ways;   // what each vertex moves by [m]: end less start, rounded
 };
 
 // How near a pair comes. `gap` [m] is the least distance between planes across `normal` (unit, from side B to side A of
-// shaders/shared/closest_points.h) on the way, less what a turning normal may take; infinite where the pair is left out.
+// shaders/shared/closest_points.h) on the way, less what a turning normal may take; infinite where the pair is left
+// out.
 struct ForeseenPair
 {
     glm::vec3 normal;

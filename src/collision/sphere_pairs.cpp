@@ -3,7 +3,8 @@
 // Cells are as wide as the distance or wider, so that two vertices closer than it lie in one cell or in two that touch.
 // Cells are numbered along x, then y, then z, with an empty cell around all of them: so three cells side by side along
 // x are three numbers in a row, and the vertices in them, sorted by number, one run. Of the 26 cells around a cell, the
-// 13 with higher numbers are the next one and four such runs; as the cell's number grows, so do the beginnings of these.
+// 13 with higher numbers are the next one and four such runs; as the cell's number grows, so do the beginnings of
+// these.
 #include "collision/sphere_pairs.h"
 
 #include <algorithm>

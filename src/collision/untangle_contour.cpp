@@ -1,7 +1,9 @@
 // The gradient of the length of all contour segments, each vertex of the contour being the point where an edge goes
 // through a face: Volino and Magnenat-Thalmann, Resolving surface collisions through intersection contour minimization,
 // 2006. The equations are in docs/collision.md.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -43,9 +45,9 @@ ContourPoint contour_point(const Tangle& tangle, const Crossing& crossing, std::
     const double from = glm::dot(normal, p - a), to = glm::dot(normal, q - a);
     point.share = from == to ? 0.5 : from / (from - to);
     point.place = p + point.share * (q - p);
-    point.along = glm::normalize(q - p);
-    point.normal = glm::normalize(normal);
-    const double area_sq = glm::dot(normal, normal);
+    point.along = unit_or_zero(q - p);
+    point.normal = unit_or_zero(normal);
+    const double area_sq = std::max(glm::dot(normal, normal), std::numeric_limits<double>::min());
     const auto weight = [&](const glm::dvec3& u, const glm::dvec3& v) {
         return glm::dot(glm::cross(u - point.place, v - point.place), normal) / area_sq;
     };
@@ -61,7 +63,7 @@ void pull(const ContourPoint& x, const glm::dvec3& r, Directions& ways)
 {
     const double across = glm::dot(x.normal, x.along), slope = glm::dot(r, x.along);
     const double most = kMostLeverage * std::abs(across);
-    const double leverage = std::abs(slope) > most ? std::copysign(kMostLeverage, slope * across) : slope / across;
+    const double leverage = std::abs(slope) >= most ? std::copysign(kMostLeverage, slope * across) : slope / across;
     const glm::dvec3 of_edge = r - leverage * x.normal, of_face = leverage * x.normal;
     ways[x.p] += (1 - x.share) * of_edge;
     ways[x.q] += x.share * of_edge;

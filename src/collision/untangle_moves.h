@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -14,6 +15,13 @@ namespace nuno {
 
 // Of each vertex; a length of 1 is a whole step.
 using Directions = std::vector<glm::dvec3>;
+
+// v over its length; 0 where it has none.
+inline glm::dvec3 unit_or_zero(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
 
 struct MeshEdge
 {

@@ -1,5 +1,5 @@
-// The edges that go through a face an odd number of times cut the mesh; what they cut off, a bulge or a corner that went
-// through a layer, goes back along the normals of the faces that it went through.
+// The edges that go through a face an odd number of times cut the mesh; what they cut off, a bulge or a corner that
+// went through a layer, goes back along the normals of the faces that it went through.
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -50,7 +50,7 @@ std::vector<EdgeCrossing> edge_crossings(std::span<const Tangle> tangles, std::s
         const glm::uvec3& face = faces[key.face];
         const glm::dvec3 corner = place_of(face.x, positions);
         const glm::dvec3 normal =
-            glm::normalize(glm::cross(place_of(face.y, positions) - corner, place_of(face.z, positions) - corner));
+            unit_or_zero(glm::cross(place_of(face.y, positions) - corner, place_of(face.z, positions) - corner));
         const double side = glm::dot(normal, place_of(key.a, positions) - place_of(key.b, positions));
         crossings.push_back({key.a, key.b, side < 0 ? -normal : normal});
     }

@@ -21,11 +21,11 @@ std::ostream& operator<<(std::ostream& out, const Stress& stress) { return out <
 
 std::vector<std::string> frames_of(const Stress& stress, const std::string& level, const std::filesystem::path& folder)
 {
-    std::vector<std::string> words{"render",  stress.scene,   "--frames", std::to_string(stress.frames),
-                                   "--quiet", "--backend",    "cpu",      "--collision",
-                                   level,     "--seed",       "1",        "--no-images",
-                                   "--mesh",  "ply",          "--out",    folder.string(),
-                                   "--set",   "jitter=0.0005"};
+    std::vector<std::string> words{"render",  stress.scene,    "--frames", std::to_string(stress.frames),
+                                   "--quiet", "--backend",     "cpu",      "--collision",
+                                   level,     "--seed",        "1",        "--no-images",
+                                   "--mesh",  "ply",           "--out",    folder.string(),
+                                   "--set",   "jitter=0.0005", "--set",    "count_pass_through=true"};
     for (const std::string& setting : stress.settings) words.insert(words.end(), {"--set", setting});
     const ProgramResult run = run_program(words);
     EXPECT_EQ(run.exit_code, 0) << run.err;

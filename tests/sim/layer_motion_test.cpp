@@ -79,11 +79,18 @@ double carried_way(float friction)
     for (std::uint32_t v = 0; v < 41 * 17; ++v) all.vertices.push_back(v);
     scene.sheets[0].pins = {all};
     scene.bodies.handles = {steady_handle({-1, 0, 0})};
+    scene.params.count_pass_through = true;
     Simulation simulation(scene, scene.params);
     const double start = middle(simulation, 1).x;
-    std::uint64_t unresolved = 0;
-    for (int frame = 0; frame < 30; ++frame) unresolved += simulation.advance_frame().count.unresolved;
+    std::uint64_t contacts = 0, unresolved = 0;
+    for (int frame = 0; frame < 30; ++frame) {
+        const CollisionCounts count = simulation.advance_frame().count;
+        contacts += count.contacts;
+        unresolved += count.unresolved;
+    }
+    EXPECT_GT(contacts, 1000u);
     EXPECT_EQ(unresolved, 0u);
+    EXPECT_GT(middle(simulation, 1).y, 0.6 * double(scene.params.thickness));
     return start - middle(simulation, 1).x;
 }
 

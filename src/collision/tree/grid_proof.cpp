@@ -23,15 +23,15 @@ void forget_edges(const EdgeLevel& level)
         std::fill_n(level.bound[bound], size, bound / 3 % 2 == 1 ? -kNoEdge : kNoEdge);
 }
 
-// The largest norm of the rest shape's gradient, lengths in cells: that of u and v in one triangle is the larger root of
-//     s^2 - (u.u + v.v) s + (u.u v.v - (u.v)^2) = 0, squared.
+// The largest norm of the rest shape's gradient, lengths in cells. Its square in one triangle, with sides u and v, is
+// the larger solution of s^2 - (u.u + v.v) s + (u.u v.v - (u.v)^2) = 0.
 float largest_spacing(const GridPatch& grid, std::span<const glm::vec3> rest_positions)
 {
     double largest = 0;
     const auto at = [&](int i, int j) { return glm::dvec3(rest_positions[grid.vertex(i, j)]); };
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i)
-            // Whichever way the cell is cut, its triangles have one of the two rows and one of the two columns as sides.
+            // Whichever way the cell is cut, its triangles have one of two rows and one of two columns as sides.
             for (int corner = 0; corner < 4; ++corner) {
                 const int di = corner & 1, dj = corner >> 1;
                 const glm::dvec3 u = at(i + 1, j + dj) - at(i, j + dj), v = at(i + di, j + 1) - at(i + di, j);
