@@ -51,9 +51,11 @@ const SpeculativeContacts& ContinuousCollision::foresee(std::span<const glm::vec
                                                         std::span<const glm::vec4> velocities, float duration,
                                                         const LayerSettings& settings)
 {
-    const std::vector<glm::vec4> ways = foreseen_ways(velocities, duration);
-    std::vector<glm::vec4> ends(positions.begin(), positions.end());
-    for (std::size_t v = 0; v < ends.size(); ++v) ends[v] += ways[v];
+    std::vector<glm::vec4> ways(positions.size()), ends(positions.size());
+    for (std::size_t v = 0; v < ends.size(); ++v) {
+        ways[v] = glm::vec4(glm::vec3(velocities[v]) * duration, 0);
+        ends[v] = positions[v] + ways[v];
+    }
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
     const int tasks = query_.begin({positions, ends}, speculative_query(settings.thickness, settings.culling), pool_);
     foreseen_of_task_.resize(std::max(foreseen_of_task_.size(), std::size_t(tasks)));

@@ -42,17 +42,6 @@ bool is_far_at_rest(const ElementPair& pair, std::span<const glm::vec3> rest, fl
 
 }  // namespace
 
-std::vector<glm::vec4> foreseen_ways(std::span<const glm::vec4> velocities, float duration)
-{
-    glm::dvec3 mean(0);
-    for (const glm::vec4& v : velocities) mean += glm::dvec3(v);
-    mean /= double(std::max<std::size_t>(velocities.size(), 1));
-    std::vector<glm::vec4> ways(velocities.size());
-    for (std::size_t v = 0; v < ways.size(); ++v)
-        ways[v] = glm::vec4((glm::vec3(velocities[v]) - glm::vec3(mean)) * duration, 0);
-    return ways;
-}
-
 TreeSettings speculative_query(float thickness, Culling culling)
 {
     return {kReach * thickness, culling, kProvenShare * kRestShare};

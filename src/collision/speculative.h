@@ -18,9 +18,6 @@ namespace nuno {
 
 inline bool sees_ahead(CollisionLevel level) { return level >= CollisionLevel::speculative; }
 
-// The ways of all vertices in `duration` [s] by velocities less their mean [m].
-std::vector<glm::vec4> foreseen_ways(std::span<const glm::vec4> velocities, float duration);
-
 // What the query has to find for the contacts below; Culling::sound may leave out pairs that keep a tenth more than
 // they have to on the whole way foreseen.
 TreeSettings speculative_query(float thickness, Culling culling);
