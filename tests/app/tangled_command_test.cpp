@@ -7,6 +7,7 @@
 
 #include "core/files.h"
 #include "support/program_run.h"
+#include "support/tangled_sheets.h"
 
 namespace nuno {
 namespace {
@@ -15,23 +16,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
-
-// A sheet, and another above it whose lower rim has gone through.
-const std::string kTangled = R"([params]
-thickness = 0.004
-[[sheet]]
-name = "lower"
-columns = 13
-across = [1.0, 0.0, 0.0]
-down = [0.0, 0.0, 1.0]
-pins = ["top", "bottom"]
-[[sheet]]
-name = "upper"
-columns = 13
-origin = [0.1, 0.031, 0.1]
-across = [0.77, 0.0, 0.0]
-down = [0.0, -0.04, 0.8]
-)";
 
 // Runs of one scene, without pictures, on the cpu.
 class HardInput : public testing::Test
@@ -65,24 +49,24 @@ class HardInput : public testing::Test
 
 TEST_F(HardInput, a_tangled_start_is_told_with_places_and_breaks_the_promise)
 {
-    const ProgramResult result = run(kTangled, {"--collision", "guaranteed"});
+    const ProgramResult result = run(kTangledSheets, {"--collision", "guaranteed"});
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, AllOf(HasSubstr("at the start"), HasSubstr("of sheet upper goes through face"),
                                   HasSubstr("--untangle"), HasSubstr("`guaranteed` does not hold")));
-    const ProgramResult lower = run(kTangled, {"--collision", "speculative"});
+    const ProgramResult lower = run(kTangledSheets, {"--collision", "speculative"});
     EXPECT_EQ(lower.exit_code, 0);
     EXPECT_THAT(lower.err, AllOf(HasSubstr("at the start"), Not(HasSubstr("does not hold"))));
-    EXPECT_EQ(run(kTangled, {"--collision", "discrete"}).err.find("at the start"), std::string::npos);
-    EXPECT_EQ(run(kTangled, {"--collision", "speculative", "--quiet"}).err, "");
+    EXPECT_EQ(run(kTangledSheets, {"--collision", "discrete"}).err.find("at the start"), std::string::npos);
+    EXPECT_EQ(run(kTangledSheets, {"--collision", "speculative", "--quiet"}).err, "");
 }
 
 TEST_F(HardInput, untangle_makes_the_promise_hold)
 {
-    const ProgramResult result = guaranteed(kTangled, {"--untangle"});
+    const ProgramResult result = guaranteed(kTangledSheets, {"--untangle"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, AllOf(HasSubstr("untangled"), HasSubstr("largest move"),
                                   HasSubstr("check of 11 poses: nothing"), Not(HasSubstr("at the start"))));
-    const Json start = report_of(kTangled, {"--untangle", "--collision", "guaranteed"}, 0).at("tangled_at_start");
+    const Json start = report_of(kTangledSheets, {"--untangle", "--collision", "guaranteed"}, 0).at("tangled_at_start");
     EXPECT_EQ(start.at("crossing"), 0);
     EXPECT_GT(start.at("pairs_before_untangle"), 10);
     EXPECT_GT(start.at("untangle_steps"), 0);
@@ -91,10 +75,10 @@ TEST_F(HardInput, untangle_makes_the_promise_hold)
 
 TEST_F(HardInput, the_report_tells_of_the_start_and_of_the_check)
 {
-    const Json plain = report_of(kTangled, {"--collision", "none"}, 0);
+    const Json plain = report_of(kTangledSheets, {"--collision", "none"}, 0);
     EXPECT_TRUE(plain.at("tangled_at_start").is_null());
     EXPECT_TRUE(plain.at("check").is_null());
-    const Json checked = report_of(kTangled, {"--collision", "guaranteed", "--check", "5"}, 1);
+    const Json checked = report_of(kTangledSheets, {"--collision", "guaranteed", "--check", "5"}, 1);
     EXPECT_GT(checked.at("tangled_at_start").at("crossing"), 10);
     EXPECT_EQ(checked.at("check").at("every"), 5);
     EXPECT_EQ(checked.at("check").at("poses"), 3);

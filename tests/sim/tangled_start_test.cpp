@@ -6,36 +6,23 @@
 #include "sim/run_recorder.h"
 #include "sim/simulation.h"
 #include "support/program_run.h"
+#include "support/tangled_sheets.h"
 
 namespace nuno {
 namespace {
 
 using testing::HasSubstr;
 
-// A sheet, and another above it whose lower rim has gone through.
-const std::string kTangled = R"([params]
-thickness = 0.004
-collision = "guaranteed"
-[[sheet]]
-name = "lower"
-columns = 13
-across = [1.0, 0.0, 0.0]
-down = [0.0, 0.0, 1.0]
-pins = ["top", "bottom"]
-[[sheet]]
-name = "upper"
-columns = 13
-origin = [0.1, 0.031, 0.1]
-across = [0.77, 0.0, 0.0]
-down = [0.0, -0.04, 0.8]
-)";
-
 struct TangledScene
 {
     TemporaryDirectory directory;
-    Scene scene = load_scene(directory.write("tangled.toml", kTangled).string());
+    Scene scene = load_scene(directory.write("tangled.toml", kTangledSheets).string());
     SimParams params = scene.params;
-    TangledScene() { params.backend = Backend::cpu; }
+    TangledScene()
+    {
+        params.backend = Backend::cpu;
+        params.collision = CollisionLevel::guaranteed;
+    }
 };
 
 TEST(TangledStart, is_looked_for_only_where_the_level_needs_it)
