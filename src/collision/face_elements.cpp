@@ -1,38 +1,11 @@
 // Who owns what, and the pairs of neighbouring faces.
 #include "collision/face_elements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "core/error.h"
+#include "collision/face_neighbours.h"
 
 namespace nuno {
-namespace {
-
-// All pairs of faces around a vertex are kept, so their number has a bound.
-constexpr std::uint32_t kMostFacesAround = 1000;
-
-// Faces around every vertex, in order of their numbers: those of vertex v are [starts[v], starts[v + 1]) of `faces`.
-struct FacesAround
-{
-    std::vector<std::uint32_t> starts, faces;
-};
-
-FacesAround faces_around(std::span<const glm::uvec3> faces, std::uint32_t vertex_count)
-{
-    FacesAround around{std::vector<std::uint32_t>(vertex_count + 1), {}};
-    for (const glm::uvec3& face : faces)
-        for (int corner = 0; corner < 3; ++corner) ++around.starts[face[corner] + 1];
-    for (std::uint32_t v = 0; v < vertex_count; ++v) around.starts[v + 1] += around.starts[v];
-    std::vector<std::uint32_t> next(around.starts.begin(), around.starts.end() - 1);
-    around.faces.resize(3 * faces.size());
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
-        for (int corner = 0; corner < 3; ++corner) around.faces[next[faces[f][corner]]++] = f;
-    return around;
-}
-
-}  // namespace
 
 FaceElements::FaceElements(std::span<const glm::uvec3> faces, std::uint32_t vertex_count, ElementKinds kinds)
     : faces_(faces.begin(), faces.end()), owned_(faces.size())
@@ -65,27 +38,15 @@ NearPairs FaceElements::near_pairs() const
 {
     std::uint32_t vertex_count = 0;
     for (const glm::uvec3& face : faces_) vertex_count = std::max({vertex_count, face.x + 1, face.y + 1, face.z + 1});
-    const FacesAround around = faces_around(faces_, vertex_count);
-    for (std::uint32_t v = 0; v < vertex_count; ++v)
-        if (const std::uint32_t count = around.starts[v + 1] - around.starts[v]; count > kMostFacesAround)
-            throw Error(fmt::format("vertex {} is a corner of {} faces; where layers collide it may be one of {}", v,
-                                    count, kMostFacesAround));
+    const std::vector<FacePair> neighbours = neighbouring_faces(faces_, vertex_count);
     NearPairs near;
-    near.starts.push_back(0);
-    std::vector<std::uint32_t> others;
+    auto next = neighbours.begin();
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-        others.clear();
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t v = faces_[f][corner];
-            for (std::uint32_t i = around.starts[v]; i < around.starts[v + 1]; ++i)
-                if (around.faces[i] > f) others.push_back(around.faces[i]);
-        }
-        std::sort(others.begin(), others.end());
-        others.erase(std::unique(others.begin(), others.end()), others.end());
-        for (const std::uint32_t g : others)
-            for_pairs_of(f, g, [&](const ElementPair& pair) { near.pairs.push_back(pair); });
         near.starts.push_back(static_cast<std::uint32_t>(near.pairs.size()));
+        for (; next != neighbours.end() && next->a == f; ++next)
+            for_pairs_of(f, next->b, [&](const ElementPair& pair) { near.pairs.push_back(pair); });
     }
+    near.starts.push_back(static_cast<std::uint32_t>(near.pairs.size()));
     return near;
 }
 

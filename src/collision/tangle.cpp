@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "collision/face_neighbours.h"
 #include "collision/task_loop.h"
 
 namespace nuno {
@@ -49,27 +50,12 @@ void add_if_met(FacePair pair, std::span<const glm::uvec3> faces, std::span<cons
     found.push_back({pair, meeting, place});
 }
 
-// Each pair of faces with a common vertex, once.
-std::vector<FacePair> pairs_of_neighbours(std::span<const glm::uvec3> faces, std::size_t vertex_count)
-{
-    std::vector<std::vector<std::uint32_t>> around(vertex_count);
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
-        for (int i = 0; i < 3; ++i) around[faces[f][i]].push_back(f);
-    std::vector<FacePair> pairs;
-    for (const std::vector<std::uint32_t>& ring : around)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            for (std::size_t j = i + 1; j < ring.size(); ++j)
-                if (ring[i] != ring[j]) pairs.push_back({ring[i], ring[j]});
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
-}
-
 }  // namespace
 
 TangleSearch::TangleSearch(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
                            std::span<const Sheet> sheets)
-    : tree_(rest_positions, faces, sheets), neighbours_(pairs_of_neighbours(faces, rest_positions.size()))
+    : tree_(rest_positions, faces, sheets),
+      neighbours_(neighbouring_faces(faces, static_cast<std::uint32_t>(rest_positions.size())))
 {
 }
 
