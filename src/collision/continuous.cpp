@@ -79,7 +79,7 @@ const SpeculativeContacts& ContinuousCollision::foresee(std::span<const glm::vec
     return foreseen_;
 }
 
-std::vector<Impact> ContinuousCollision::find_impacts(const LayerPass& pass, Culling culling, LayerCounts& counts)
+std::vector<Impact> ContinuousCollision::find_impacts(const LayerPass& pass, Culling culling, CollisionCounts& counts)
 {
     const int tasks = query_.begin({pass.start, pass.end}, {static_cast<float>(kLeastGap), culling}, pool_);
     ways_.resize(pass.start.size());
@@ -120,7 +120,7 @@ void ContinuousCollision::mark(const std::vector<Impact>& impacts)
 }
 
 bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch,
-                                     LayerCounts& counts)
+                                     CollisionCounts& counts)
 {
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
     std::vector<Impact> all;
@@ -156,7 +156,7 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
 }
 
 void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, const LayerSettings& settings,
-                                                const Stopwatch& watch, LayerCounts& counts)
+                                                const Stopwatch& watch, CollisionCounts& counts)
 {
     for (int round = 0;; ++round) {
         const std::vector<Impact> impacts = find_impacts(pass, settings.culling, counts);
@@ -164,7 +164,7 @@ void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, const Lay
         ++counts.rollbacks;
         if (round == kMostRounds) {
             std::copy(pass.start.begin(), pass.start.end(), pass.end.begin());
-            counts.standstill = true;
+            counts.standstills = 1;
             return;
         }
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
@@ -176,10 +176,10 @@ void ContinuousCollision::roll_back_until_clean(const LayerPass& pass, const Lay
     }
 }
 
-LayerCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSettings& settings)
+CollisionCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSettings& settings)
 {
     const Stopwatch watch;
-    LayerCounts counts;
+    CollisionCounts counts;
     const std::vector<glm::vec4> asked(pass.end.begin(), pass.end.end());
     if (!push_apart(pass, settings, watch, counts)) {
         if (settings.guaranteed)
@@ -188,7 +188,6 @@ LayerCounts ContinuousCollision::respond(const LayerPass& pass, const LayerSetti
             counts.unresolved = static_cast<std::uint32_t>(find_impacts(pass, settings.culling, counts).size());
     }
     if (counts.impacts == 0) return counts;
-    counts.changed = true;
     for (std::size_t v = 0; v < asked.size(); ++v) {
         if (asked[v] == pass.end[v]) continue;
         const glm::vec3 change = glm::vec3(pass.end[v]) - glm::vec3(asked[v]);

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "collision/collision_counts.h"
 #include "collision/element_query.h"
 #include "collision/impact_search.h"
 #include "collision/speculative.h"
@@ -38,20 +39,6 @@ struct LayerPass
     float duration;                    // [s]
 };
 
-struct LayerCounts
-{
-    std::uint64_t pairs_tested = 0;  // whose boxes overlap, in all rounds
-    std::uint32_t impacts = 0;       // in the first round
-    std::uint32_t zones = 0, rollbacks = 0;
-    std::uint32_t largest_zone = 0;  // of vertices
-    std::uint32_t held_back = 0;     // vertices on moving handles that went back: the motion they ask for has no room
-    double lost_m = 0;               // sum over the vertices of how far the response moved them
-    std::uint32_t touching = 0;      // pairs that touched at the start already
-    std::uint32_t unresolved = 0;    // impacts that are left
-    bool standstill = false;         // whether all of the cloth went back to the start
-    bool changed = false;            // whether any vertex may have been moved
-};
-
 class ContinuousCollision
 {
   public:
@@ -65,15 +52,16 @@ class ContinuousCollision
 
     // Answers all impacts on the way of the pass: rounds of impulses, then, where guaranteed, rollback until none is
     // left. Start must be free of intersections for that to hold; pairs that touch there are let alone.
-    LayerCounts respond(const LayerPass& pass, const LayerSettings& settings);
+    CollisionCounts respond(const LayerPass& pass, const LayerSettings& settings);
 
   private:
     // Impacts among the pairs with a vertex that is marked, in a fixed order.
-    std::vector<Impact> find_impacts(const LayerPass& pass, Culling culling, LayerCounts& counts);
+    std::vector<Impact> find_impacts(const LayerPass& pass, Culling culling, CollisionCounts& counts);
     // Rounds of impulses; false where impacts are left.
-    bool push_apart(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch, LayerCounts& counts);
+    bool push_apart(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch,
+                    CollisionCounts& counts);
     void roll_back_until_clean(const LayerPass& pass, const LayerSettings& settings, const Stopwatch& watch,
-                               LayerCounts& counts);
+                               CollisionCounts& counts);
     void mark(const std::vector<Impact>& impacts);
 
     const ClothModel& model_;

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "collision/collision_counts.h"
 #include "collision/contact.h"
 #include "collision/discrete.h"
 #include "collision/element_query.h"
@@ -39,19 +40,6 @@ struct CollisionStep
     std::span<const glm::vec4> positions_t1;  // now
     std::span<glm::vec4> velocities;          // now, xyz [m/s]; corrected by `respond`
     float duration;                           // [s] from t0 to t1
-};
-
-// What a pass did, named as in the report.
-struct CollisionCounts
-{
-    std::uint64_t pairs_tested = 0;  // of elements whose boxes overlap; at `spheres` of vertices in cells that touch
-    std::uint64_t pairs_culled = 0;  // of elements of faces that share a vertex, proven apart and not looked at
-    std::uint32_t contacts = 0;      // found, or foreseen
-    std::uint32_t impacts = 0, zones = 0, rollbacks = 0, standstills = 0;  // of the continuous levels
-    std::uint32_t largest_zone = 0, held_back = 0;                         // as in LayerCounts
-    double lost_m = 0;
-    std::uint32_t touching = 0;    // pairs that touched as a pass of the continuous levels began
-    std::uint32_t unresolved = 0;  // pairs left by `continuous`, or passed through, if that was counted
 };
 
 // A pass is refit, query, respond, in this order; each does nothing but at `spheres` and `discrete`. Results do not

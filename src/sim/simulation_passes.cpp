@@ -34,19 +34,6 @@ LayerSettings layer_settings(const SimParams& params)
             params.collision_budget};
 }
 
-void add_pass(FrameStats& stats, const CollisionCounts& pass)
-{
-    CollisionCounts& sum = stats.count;
-    sum.pairs_tested += pass.pairs_tested;
-    sum.pairs_culled += pass.pairs_culled;
-    sum.contacts += pass.contacts;
-    sum.impacts += pass.impacts;
-    sum.zones += pass.zones;
-    sum.rollbacks += pass.rollbacks;
-    sum.unresolved += pass.unresolved;
-    stats.peak_contacts = std::max(stats.peak_contacts, pass.contacts);
-}
-
 }  // namespace
 
 // Passes of a frame, but for levels that see ahead and choose them themselves: at most.
@@ -157,25 +144,16 @@ void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
     solver_->download_velocities(state_.velocities);
     velocities_fresh_ = true;
     stats.stage_ms.readback += watch.lap_ms();
-    const LayerCounts counts =
+    const CollisionCounts counts =
         layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
     stats.stage_ms.respond += watch.lap_ms();
     if (held_) held_->position = glm::vec3(state_.positions[held_->vertex]);
-    if (counts.changed) {
+    if (counts.impacts > 0) {
         solver_->upload_positions(state_.positions);
         solver_->upload_velocities(state_.velocities);
         stats.stage_ms.upload += watch.lap_ms();
     }
-    stats.count.pairs_tested += counts.pairs_tested;
-    stats.count.impacts += counts.impacts;
-    stats.count.zones += counts.zones;
-    stats.count.rollbacks += counts.rollbacks;
-    stats.count.standstills += counts.standstill;
-    stats.count.largest_zone = std::max(stats.count.largest_zone, counts.largest_zone);
-    stats.count.held_back = std::max(stats.count.held_back, counts.held_back);
-    stats.count.lost_m += counts.lost_m;
-    stats.count.touching += counts.touching;
-    stats.count.unresolved += counts.unresolved;
+    stats.count.add(counts);
 }
 
 void Simulation::collide(FrameStats& stats, float interval_s)
@@ -199,7 +177,8 @@ void Simulation::collide(FrameStats& stats, float interval_s)
         collision_->count_pass_through(step);
         pass_positions_ = state_.positions;
     }
-    add_pass(stats, collision_->counts());
+    stats.count.add(collision_->counts());
+    stats.peak_contacts = std::max(stats.peak_contacts, collision_->counts().contacts);
 }
 
 }  // namespace nuno

@@ -141,7 +141,7 @@ std::size_t impacts_left(const Pose& pose, std::span<const glm::vec4> end)
 struct Responded
 {
     std::vector<glm::vec4> end, velocities;
-    LayerCounts counts;
+    CollisionCounts counts;
 };
 
 Responded respond(const Pose& pose, const std::vector<glm::vec4>& end, bool guaranteed, int threads = 1,
@@ -225,7 +225,7 @@ TEST(Guaranteed, lets_layers_move_that_are_very_close)
     std::vector<glm::vec4> end = pose.positions;
     for (glm::vec4& x : end) x.y -= 0.25f;
     const Responded result = respond(pose, end, true);
-    EXPECT_FALSE(result.counts.standstill);
+    EXPECT_EQ(result.counts.standstills, 0u);
     EXPECT_EQ(result.counts.rollbacks, 0u);
     EXPECT_LT(result.end[0].y, -0.2f);
 }
@@ -244,7 +244,7 @@ TEST(Guaranteed, touches_nothing_that_meets_nothing)
     std::vector<glm::vec4> end = pose.positions;
     for (glm::vec4& x : end) x += glm::vec4(3, 2, 1, 0);
     const Responded result = respond(pose, end, true);
-    EXPECT_FALSE(result.counts.changed);
+    EXPECT_EQ(result.counts.impacts, 0u);
     EXPECT_EQ(result.end, end);
 }
 
