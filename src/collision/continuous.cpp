@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "collision/rollback.h"
+#include "collision/sheet_numbers.h"
 #include "collision/task_loop.h"
 
 namespace nuno {
@@ -21,14 +22,6 @@ constexpr int kPatientRounds = 30;
 // After so many rounds all of the cloth goes back to where it was.
 constexpr int kMostRounds = 60;
 
-std::vector<std::uint32_t> sheet_numbers(const ClothModel& model)
-{
-    std::vector<std::uint32_t> numbers(model.vertex_count());
-    for (std::uint32_t sheet = 0; sheet < model.sheets.size(); ++sheet)
-        std::fill_n(numbers.begin() + model.sheets[sheet].first_vertex, model.sheets[sheet].vertex_count, sheet);
-    return numbers;
-}
-
 bool is_late(const LayerSettings& settings, const Stopwatch& watch)
 {
     return settings.budget_ms > 0 && watch.elapsed_ms() > double(settings.budget_ms);
@@ -42,7 +35,7 @@ ContinuousCollision::ContinuousCollision(const ClothModel& model, ThreadPool& po
     : model_(model),
       pool_(pool),
       query_(model.rest_positions, model.faces, model.sheets),
-      sheet_numbers_(sheet_numbers(model)),
+      sheet_numbers_(sheet_numbers(model.sheets, model.vertex_count())),
       dirty_(model.vertex_count())
 {
 }

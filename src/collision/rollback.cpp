@@ -2,34 +2,10 @@
 #include "collision/rollback.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "collision/vertex_sets.h"
 
 namespace nuno {
-namespace {
-
-class VertexSets
-{
-  public:
-    explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t find(std::uint32_t a)
-    {
-        while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-        return a;
-    }
-    // The lower number leads, so that the result does not depend on the order.
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace
 
 Clusters roll_back(std::span<const Impact> impacts, double kept, std::span<const glm::vec4> start,
                    std::span<glm::vec4> end, std::span<std::uint8_t> moved)
@@ -54,11 +30,10 @@ Clusters roll_back(std::span<const Impact> impacts, double kept, std::span<const
     }
 
     Clusters clusters;
-    std::vector<std::uint32_t> sizes(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
         const std::uint32_t leader = sets.find(i), v = vertices[i];
         clusters.count += leader == i;
-        clusters.largest = std::max(clusters.largest, ++sizes[leader]);
+        clusters.largest = std::max(clusters.largest, sets.size(leader));
         clusters.held_back += end[v].w == 0 && start[v] != end[v];
         const glm::dvec3 from(start[v]), to(end[v]);
         end[v] = glm::vec4(glm::vec3(from + kept * times[leader] * (to - from)), end[v].w);

@@ -13,6 +13,7 @@
 
 #include <glm/common.hpp>
 
+#include "collision/sheet_numbers.h"
 #include "collision/task_loop.h"
 
 namespace nuno {
@@ -28,10 +29,8 @@ constexpr int kDigitBits = 11;
 }  // namespace
 
 SphereSearch::SphereSearch(std::span<const glm::vec3> rest_positions, std::span<const Sheet> sheets)
-    : rest_positions_(rest_positions), sheet_numbers_(rest_positions.size())
+    : rest_positions_(rest_positions), sheet_numbers_(sheet_numbers(sheets, rest_positions.size()))
 {
-    for (std::uint32_t sheet = 0; sheet < sheets.size(); ++sheet)
-        std::fill_n(sheet_numbers_.begin() + sheets[sheet].first_vertex, sheets[sheet].vertex_count, sheet);
 }
 
 bool SphereSearch::is_pair(const glm::vec4& position_a, const glm::vec4& position_b, VertexPair pair,

@@ -1,13 +1,13 @@
 // The edges that go through a face an odd number of times cut the mesh; what they cut off, a bulge or a corner that
 // went through a layer, goes back along the normals of the faces that it went through.
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "collision/untangle_moves.h"
+#include "collision/vertex_sets.h"
 
 namespace nuno {
 namespace {
@@ -57,40 +57,13 @@ std::vector<EdgeCrossing> edge_crossings(std::span<const Tangle> tangles, std::s
     return crossings;
 }
 
-// Parts of the mesh, joined by its edges.
-class Parts
-{
-  public:
-    explicit Parts(std::size_t vertex_count) : parent_(vertex_count), size_(vertex_count, 1)
-    {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t of(std::uint32_t v)
-    {
-        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = of(a), b = of(b);
-        if (a == b) return;
-        if (size_[a] < size_[b]) std::swap(a, b);
-        parent_[b] = a;
-        size_[a] += size_[b];
-    }
-    std::uint32_t size(std::uint32_t part) const { return size_[part]; }
-
-  private:
-    std::vector<std::uint32_t> parent_, size_;
-};
-
 }  // namespace
 
 void add_side_moves(std::span<const Tangle> tangles, std::span<const glm::uvec3> faces, std::span<const MeshEdge> edges,
                     std::span<const glm::vec4> positions, Directions& ways)
 {
     const std::vector<EdgeCrossing> crossings = edge_crossings(tangles, faces, positions);
-    Parts parts(positions.size());
+    VertexSets parts(positions.size());  // of the mesh, joined by its edges
     auto next = crossings.begin();
     for (const MeshEdge& edge : edges) {  // both in the same order
         const auto first = next;
@@ -99,13 +72,13 @@ void add_side_moves(std::span<const Tangle> tangles, std::span<const glm::uvec3>
     }
     Directions way_of_part(positions.size(), glm::dvec3(0));
     for (const EdgeCrossing& crossing : crossings) {
-        const std::uint32_t a = parts.of(crossing.a), b = parts.of(crossing.b);
+        const std::uint32_t a = parts.find(crossing.a), b = parts.find(crossing.b);
         if (a == b) continue;
         if (parts.size(a) <= parts.size(b)) way_of_part[a] -= crossing.to_a;
         if (parts.size(b) < parts.size(a)) way_of_part[b] += crossing.to_a;
     }
     for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        const glm::dvec3& way = way_of_part[parts.of(v)];
+        const glm::dvec3& way = way_of_part[parts.find(v)];
         const double length = glm::length(way);
         if (length > 0) ways[v] += way / length;
     }

@@ -1,4 +1,4 @@
-// A vertex and a face, the unit of both tests of this folder.
+// A vertex and a face that it went through.
 #pragma once
 
 #include <cstdint>
