@@ -17,7 +17,7 @@ constexpr float kReach = 1.5f;
 // Elements that provably keep more than so many times that share of their distance at rest need not be looked at.
 constexpr float kProvenShare = 1.1f;
 // Of their distance at rest, what elements of one sheet keep at most: neighbours are no layers.
-constexpr float kRestShare = 0.5f;
+constexpr float kRestShare = 1.0f / 3;
 
 float kind_of(const ElementPair& pair)
 {

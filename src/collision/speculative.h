@@ -30,7 +30,7 @@ struct LayerRest
     float thickness;                               // [m]
 };
 
-// [m] that the pair keeps from each other: the thickness, or half of the distance at rest of two elements of one sheet.
+// [m] that the pair keeps from each other: the thickness, or a third of the distance at rest of two elements of one sheet.
 float kept_distance(const ElementPair& pair, const LayerRest& rest);
 
 // Contacts, and the largest way [m] of the vertices of one relative to each other.

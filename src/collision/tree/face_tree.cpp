@@ -80,7 +80,7 @@ void FaceTree::share_out(std::span<const Sheet> sheets, std::uint32_t vertex_cou
     }
     for (const GridPatch& grid : layout_.grids)
         for (int row = 0; row < grid.rows; row += band_height(grid))
-            bands_.push_back({&grid, row, std::min(row + band_height(grid), grid.rows), false, nullptr, 0});
+            bands_.push_back({&grid, row, std::min(row + band_height(grid), grid.rows), false, nullptr, 0, nullptr});
     for (const NodeRun run : layout_.mesh_nodes)
         for (std::uint32_t n = run.begin; n < run.end; n += kNodesInChunk)
             mesh_chunks_.push_back({n, std::min(n + kNodesInChunk, run.end)});
@@ -205,15 +205,18 @@ void FaceTree::make_boxes(ThreadPool& pool)
             return kernels_->cell_boxes(frame_, layout_.cells.data(), nodes, chunk.begin, chunk.end);
         }
         GridBand band = bands_[t];
+        RowScratch& rows = workers_[static_cast<std::size_t>(thread)].rows;
+        GridProof& proof = proofs_[static_cast<std::size_t>(band.grid - layout_.grids.data())];
+        if (settings_.culling == Culling::sound) proof.prove_cells(frame_, band, *kernels_, rows);
         if (!band.grid->is_regular) return;
-        const GridProof& proof = proofs_[static_cast<std::size_t>(band.grid - layout_.grids.data())];
         band.with_neighbours = settings_.culling != Culling::seed;
         if (settings_.culling == Culling::sound) {
             band.open_blocks = proof.open_blocks();
             band.open_stride = proof.block_columns();
+            band.apart_cells = proof.apart_cells();
         }
         BandFound found = std::move(neighbours_[t]);
-        kernels_->grid_boxes(frame_, band, nodes, found, workers_[static_cast<std::size_t>(thread)].rows);
+        kernels_->grid_boxes(frame_, band, nodes, found, rows);
         neighbours_[t] = std::move(found);
     });
 }

@@ -44,7 +44,7 @@ float largest_spacing(const GridPatch& grid, std::span<const glm::vec3> rest_pos
 }  // namespace
 
 GridProof::GridProof(const GridPatch& grid, std::span<const glm::vec3> rest_positions)
-    : rest_spacing_(largest_spacing(grid, rest_positions))
+    : cell_groups_(cell_groups(grid.columns)), rest_spacing_(largest_spacing(grid, rest_positions))
 {
     int width = (grid.columns + 3) / 4, height = (grid.rows + 3) / 4;
     while (levels_.empty() || levels_.back().width > 1 || levels_.back().height > 1) {
@@ -62,6 +62,7 @@ GridProof::GridProof(const GridPatch& grid, std::span<const glm::vec3> rest_posi
         height = (height + 1) / 2;
     }
     open_.assign(flags_.front().size() + 4, 0);
+    apart_cells_.assign(std::size_t(cell_groups_) * std::size_t(grid.rows), 0);
 }
 
 void GridProof::clear() { forget_edges(levels_.front()); }
@@ -69,16 +70,16 @@ void GridProof::clear() { forget_edges(levels_.front()); }
 // Points p, q are at most rest_spacing_ |p - q| apart at rest: lambda above rest_share rest_spacing_ is enough.
 void GridProof::prove(float distance, float rest_share, const TreeKernels& kernels)
 {
-    const float need = std::min(kCellsApart * distance, rest_share * rest_spacing_) * 1.0001f + 1e-6f;
+    need_ = std::min(kCellsApart * distance, rest_share * rest_spacing_) * 1.0001f + 1e-6f;
     for (std::size_t n = 1; n < levels_.size(); ++n) kernels.merge_edges(levels_[n - 1], levels_[n]);
-    kernels.prove_blocks(levels_.back(), need, kEdgeSlack, flags_.back().data());
+    kernels.prove_blocks(levels_.back(), need_, kEdgeSlack, flags_.back().data());
     if (holds_for_all()) {
         for (std::vector<std::uint8_t>& flags : flags_) std::fill(flags.begin(), flags.end(), std::uint8_t{0xf});
         std::fill(open_.begin(), open_.end(), std::uint8_t{0});
         return;
     }
     for (std::size_t n = 0; n + 1 < levels_.size(); ++n)
-        kernels.prove_blocks(levels_[n], need, kEdgeSlack, flags_[n].data());
+        kernels.prove_blocks(levels_[n], need_, kEdgeSlack, flags_[n].data());
     find_open_blocks();
 }
 
@@ -110,6 +111,26 @@ void GridProof::find_open_blocks()
         }
 }
 
+bool GridProof::is_open_row(int block_row) const
+{
+    // Some are written down with the row below.
+    const auto begin = open_.begin() + std::ptrdiff_t(block_row) * base().width;
+    const auto end = begin + (block_row + 1 < base().height ? 2 : 1) * base().width;
+    return std::any_of(begin, end, [](std::uint8_t open) { return open != 0; });
+}
+
+void GridProof::prove_cells(const BoxFrame& frame, const GridBand& band, const TreeKernels& kernels, RowScratch& rows)
+{
+    GridBand open = band;
+    for (int row = band.first_row; row < band.end_row; row = open.end_row) {
+        const bool is_open = is_open_row(row / 4);
+        open.first_row = row;
+        for (open.end_row = row; open.end_row < band.end_row && is_open_row(open.end_row / 4) == is_open;)
+            open.end_row = std::min(open.end_row + 4, band.end_row);
+        if (is_open) kernels.prove_cells(frame, open, need_, kEdgeSlack, rows, apart_cells_.data());
+    }
+}
+
 bool GridProof::is_apart_from_neighbours(int i, int j) const
 {
     const int x = i / 4, y = j / 4, width = base().width;
@@ -117,8 +138,10 @@ bool GridProof::is_apart_from_neighbours(int i, int j) const
         if (x + across < 0 || x + across >= width || y + down >= base().height) return 0;
         return int{open_[std::size_t(y + down) * std::size_t(width) + std::size_t(x + across)]};
     };
-    return open(0, 0) == 0 && (open(0, 1) & kOpenAbove) == 0 && (open(1, 1) & kOpenAboveLeft) == 0 &&
-           (open(-1, 1) & kOpenAboveRight) == 0;
+    if (open(0, 0) == 0 && (open(0, 1) & kOpenAbove) == 0 && (open(1, 1) & kOpenAboveLeft) == 0 &&
+        (open(-1, 1) & kOpenAboveRight) == 0)
+        return true;
+    return (apart_cells_[std::size_t(j) * std::size_t(cell_groups_) + std::size_t(i / 16)] >> (i % 16) & 1) != 0;
 }
 
 }  // namespace nuno

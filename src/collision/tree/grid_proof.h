@@ -25,6 +25,9 @@ class GridProof
     // `rest_share` of their distance at rest.
     void prove(float distance, float rest_share, const TreeKernels& kernels);
 
+    // Cell by cell, what was left open there of a band's rows; each band by one thread, after prove().
+    void prove_cells(const BoxFrame& frame, const GridBand& band, const TreeKernels& kernels, RowScratch& rows);
+
     bool holds_for_all() const { return flags_.back()[0] & 1; }
     // Of nodes of a level of the tree; those of level 0 have none.
     ProofLevel level(int level) const;
@@ -33,15 +36,22 @@ class GridProof
     // GridBand::open_blocks, row by row.
     const std::uint8_t* open_blocks() const { return open_.data(); }
     int block_columns() const { return base().width; }
+    const std::uint16_t* apart_cells() const { return apart_cells_.data(); }  // GridBand::apart_cells
 
   private:
     void find_open_blocks();
 
+    // Whether contacts of a row of blocks are left open.
+    bool is_open_row(int block_row) const;
+
+    float need_ = 0;  // [m] what lambda has to exceed
+    int cell_groups_;
     float rest_spacing_;  // [m] that points one cell apart are apart at rest, at most
     std::vector<std::vector<float>> storage_;
     std::vector<EdgeLevel> levels_;
     std::vector<std::vector<std::uint8_t>> flags_;
     std::vector<std::uint8_t> open_;
+    std::vector<std::uint16_t> apart_cells_;
 };
 
 }  // namespace nuno

@@ -39,7 +39,7 @@ void RowScratch::resize(int columns)
 #define NUNO_TREE_TABLE                                                                                               \
     {                                                                                                                 \
         vertex_extent, grid_boxes, cell_boxes, parent_boxes, visit, visit_self, visit_pair, edge_bounds, merge_edges, \
-            prove_blocks, gradient_bounds                                                                             \
+            prove_blocks, prove_cells, gradient_bounds                                                                \
     }
 
 namespace lanes_4 {

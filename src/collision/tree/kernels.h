@@ -48,6 +48,7 @@ struct GridBand
     // OpenBlock bits of each block, `open_stride` a row, 4 more at the end; null: all of them for all blocks.
     const std::uint8_t* open_blocks;
     int open_stride;
+    const std::uint16_t* apart_cells;  // as of GridProof, where open_blocks are
 };
 
 // What a band has found: pairs of faces of neighbouring cells, and neighbouring nodes of level 0 that are to be
@@ -116,6 +117,9 @@ struct TreeKernels
     // The flags of ProofLevel of all blocks, row by row: whether lambda > need, lambda less by `slack` times the size
     // of the edges.
     void (*prove_blocks)(const EdgeLevel& blocks, float need, float slack, std::uint8_t* flags);
+    // Which cells of a band are proven apart from those around them, as prove_blocks has it, on the frame's way; written
+    // where the band's cells are in the whole grid's numbers (proof_levels.h).
+    void (*prove_cells)(const BoxFrame&, const GridBand&, float need, float slack, RowScratch&, std::uint16_t* apart);
     // Bounds of the gradients of faces over their charts, in the order of EdgeLevel; added to what is there, or new.
     void (*gradient_bounds)(const glm::vec4* positions, const FaceChartRun&, bool is_new, float* bounds);
 };

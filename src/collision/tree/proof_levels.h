@@ -37,6 +37,10 @@ struct EdgeLevel
     int width = 0, height = 0, stride = 0;
 };
 
+// Which cells are proven apart from themselves and the cells around them: bit i % 16 of number j cell_groups(columns) +
+// i / 16 for cell (i, j).
+inline int cell_groups(int columns) { return (columns + 15) / 16; }
+
 // A face at rest in a plane: the inverse of the matrix of its edges from corner 0 to 1 and to 2 [1/m], row by row.
 struct FaceChart
 {
