@@ -13,6 +13,7 @@
 #include "app/compare_command.h"
 #include "app/list_commands.h"
 #include "app/render_command.h"
+#include "app/trade_command.h"
 #include "app/view_command.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -58,6 +59,16 @@ int run(int argc, char** argv)
     CLI::App* compare_command = program.add_subcommand("compare", "Compare CPU and GPU: times and agreement");
     nuno::add_compare_flags(*compare_command, compare);
     compare_command->callback([&] { status = nuno::run_compare(compare); });
+
+    nuno::TradeFlags trade;
+    CLI::App* trade_command = program.add_subcommand("trade", "Measure speed against accuracy, and what to pick");
+    nuno::add_trade_flags(*trade_command, trade);
+    trade_command->callback([&] { status = nuno::run_trade(trade); });
+
+    nuno::MergeFlags merge;
+    CLI::App* merge_command = program.add_subcommand("merge", "Join the parts of a sweep");
+    nuno::add_merge_flags(*merge_command, merge);
+    merge_command->callback([&] { status = nuno::run_merge(merge); });
 
     program.add_subcommand("scenes", "List the scenes")->callback([&] { status = nuno::list_scenes(); });
     bool markdown = false;

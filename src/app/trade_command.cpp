@@ -1,0 +1,137 @@
+// `nuno trade` and `nuno merge`.
+#include "app/trade_command.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <optional>
+
+#include "app/interrupt.h"
+#include "app/machine.h"
+#include "app/progress.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/version.h"
+#include "study/trade_report.h"
+
+namespace nuno {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::string> kScenes{"seed", "hang", "flag", "twist"};
+
+// A context for the points of the gpu backend, where there is OpenGL.
+std::unique_ptr<Machine> machine_with_gl(bool quiet)
+{
+    try {
+        return std::make_unique<Machine>(true);
+    } catch (const Error& error) {
+        if (!quiet) fmt::print(stderr, "trade: no points of the gpu backend: {}\n", error.what());
+        return std::make_unique<Machine>(false);
+    }
+}
+
+// All that costs and errors depend on.
+Json header_of(const std::deque<SceneStudy>& studies, const Machine& machine, const SimParams& params)
+{
+    Json scenes;
+    for (const SceneStudy& study : studies)
+        scenes[study.name()] = params_json(sim_param_table(), &study.asked_params());
+    Json about = machine_json(machine.info(ThreadPool(0).thread_count()));
+    return {{"study", "trade"},
+            {"version", fmt::format("{} ({})", kVersion, kCommit)},
+            {"machine", about},
+            {"threads", ThreadPool(params.threads).thread_count()},
+            {"scenes", scenes}};
+}
+
+// Tables, pictures and the page, from all points that are there.
+void write_report(const std::map<std::string, Json>& results, const Json& header, const fs::path& out, bool quiet)
+{
+    const std::vector<TradeScene> scenes = trade_scenes(results);
+    write_whole(out / "trade.csv", trade_csv(scenes));
+    write_whole(out / "trade.json", Json{{"header", header}, {"scenes", trade_json(scenes)}}.dump(1) + "\n");
+    bool drawn = true;
+    for (const TradeScene& scene : scenes) drawn = plot_trade(scene, out) && drawn;
+    if (!drawn && !quiet)
+        fmt::print(stderr,
+                   "trade: not all pictures are drawn, since gnuplot is missing or failed, or a scene has no points\n");
+    write_whole(out / "report.html", trade_page(scenes, header, out));
+    for (const TradeScene& scene : scenes) fmt::print("{}\n", trade_table(scene));
+    fmt::print("{}\n", (out / "report.html").string());
+}
+
+}  // namespace
+
+void add_trade_flags(CLI::App& command, TradeFlags& flags)
+{
+    command.add_option("scenes", flags.scenes, "Scenes; none: seed, hang, flag and twist");
+    add_common_flags(command, flags.common);
+    command.add_option("--out", flags.out, "Directory for data, pictures and report.html; run again to go on")
+        ->capture_default_str();
+    command.add_option("--shard", flags.shard, "K/N: every Nth point, from the Kth on")->capture_default_str();
+    command.add_option("--repeats", flags.repeats, "Times of a point, of which the least counts")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
+}
+
+int run_trade(const TradeFlags& flags)
+{
+    const Shard shard = parse_shard(flags.shard);
+    const bool quiet = flags.common.quiet;
+    std::deque<SceneStudy> studies;
+    for (const std::string& name : flags.scenes.empty() ? kScenes : flags.scenes) {
+        SceneRun run = prepare_run(flags.common, name);
+        if (flags.common.threads.empty()) run.params.threads = 1;
+        studies.emplace_back(std::move(run.scene), run.params);
+    }
+    const fs::path out = flags.out;
+    make_writable_directory(out);
+    if (!flags.common.json.empty()) check_can_write(flags.common.json);
+    const std::unique_ptr<Machine> machine = machine_with_gl(quiet);
+    const Json header = header_of(studies, *machine, studies.front().asked_params());
+    PointStore store(out, header);
+    if (!quiet && store.dropped_half_a_line())
+        fmt::print(stderr, "trade: half a point at the end of {} is measured anew\n", (out / "points.jsonl").string());
+    if (!quiet && store.resumed() > 0) fmt::print(stderr, "trade: {} points are there already\n", store.resumed());
+
+    TradeOptions options;
+    options.repeats = flags.repeats;
+    options.with_gpu = machine->gl().has_value();
+    std::vector<SweepPoint> points;
+    for (SceneStudy& study : studies)
+        for (SweepPoint& point : trade_points(study, options)) points.push_back(std::move(point));
+    watch_interrupts();
+    std::optional<Progress> progress;
+    const bool whole = run_sweep(points, shard, store, [&](std::size_t done, std::size_t total) {
+        if (!progress) progress.emplace("trade", static_cast<int>(total), quiet);
+        progress->show(static_cast<int>(done));
+        return !interrupted();
+    });
+    progress.reset();
+    machine->check_gl();
+    write_report(store.results(), header, out, quiet);
+    if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "trade.json"));
+    return static_cast<int>(whole ? ExitCode::done : ExitCode::interrupted);
+}
+
+void add_merge_flags(CLI::App& command, MergeFlags& flags)
+{
+    command.add_option("directories", flags.directories, "Directories of the parts of one sweep")->required();
+    command.add_option("--out", flags.out, "Directory for the whole")->required();
+    command.add_flag("--quiet", flags.quiet, "No talk on stderr");
+}
+
+int run_merge(const MergeFlags& flags)
+{
+    const StoredPoints all = merge_points({flags.directories.begin(), flags.directories.end()}, flags.out);
+    if (all.header.value("study", "") != "trade")
+        throw Error(fmt::format("{}: its points are of `nuno {}`, which is not to be merged", flags.directories.front(),
+                                all.header.value("study", "?")));
+    write_report(all.results, all.header, flags.out, flags.quiet);
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace nuno

@@ -1,0 +1,56 @@
+// Results of a sweep on disk, one JSON object a line: an interrupted sweep goes on where it was, and parts of one that
+// ran elsewhere are joined.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace nuno {
+
+// What points.jsonl holds.
+struct StoredPoints
+{
+    nlohmann::ordered_json header;  // what was measured, by which version and, where that matters, on which machine
+    std::map<std::string, nlohmann::ordered_json> results;  // by the id of a point
+    std::size_t whole_bytes = 0;                            // of the file; what follows is half a line
+    bool ends_in_half_a_line = false;
+};
+
+// Error where the file cannot be read, or has a line that is no point (naming it) before the last.
+StoredPoints read_points(const std::filesystem::path& directory);
+
+class PointStore
+{
+  public:
+    // Opens or begins directory/points.jsonl. Error where the points in there have another header: they would not be
+    // comparable.
+    PointStore(const std::filesystem::path& directory, const nlohmann::ordered_json& header);
+    ~PointStore();
+    PointStore(const PointStore&) = delete;
+    PointStore& operator=(const PointStore&) = delete;
+
+    bool holds(const std::string& id) const { return stored_.results.count(id) > 0; }
+    const std::map<std::string, nlohmann::ordered_json>& results() const { return stored_.results; }
+    std::size_t resumed() const { return resumed_; }                          // points that were there at the start
+    bool dropped_half_a_line() const { return stored_.ends_in_half_a_line; }  // of an interrupted write
+
+    // Writes the point at once. Error where the disk refuses; what was written before stays whole.
+    void add(const std::string& id, const nlohmann::ordered_json& result);
+
+  private:
+    void write_line(const nlohmann::ordered_json& object);
+
+    std::filesystem::path path_;
+    StoredPoints stored_;
+    std::size_t resumed_ = 0;
+    int file_ = -1;
+};
+
+// All points of these directories, which must have one header; written to `out` as one store. Error where they differ
+// or two have another result for one point.
+StoredPoints merge_points(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& out);
+
+}  // namespace nuno

@@ -1,0 +1,145 @@
+// The horizon and the reference of a scene.
+#include "study/scene_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/error.h"
+#include "sim/simulation.h"
+
+namespace nuno {
+namespace {
+
+constexpr float kShift = 1e-6f;  // [m] along each axis, of the other start
+// Of reference runs, and of the runs that they are held against; and substeps where layers meet, which are answered in
+// each.
+constexpr float kReferenceTolerance = 1e-3f, kCheckingTolerance = 1e-4f;
+constexpr int kContactSubsteps = 128;
+
+int frames_of(double seconds, const SimParams& params)
+{
+    return std::max(1, static_cast<int>(std::lround(seconds * params.frame_rate)));
+}
+
+}  // namespace
+
+double cloth_size(const ClothModel& model)
+{
+    double size = 0;
+    for (const Sheet& sheet : model.sheets) {
+        glm::dvec3 lo(1e30), hi(-1e30);
+        for (std::uint32_t v = sheet.first_vertex; v < sheet.first_vertex + sheet.vertex_count; ++v) {
+            lo = glm::min(lo, glm::dvec3(model.rest_positions[v]));
+            hi = glm::max(hi, glm::dvec3(model.rest_positions[v]));
+        }
+        const glm::dvec3 sides = hi - lo;
+        size = std::max({size, sides.x, sides.y, sides.z});
+    }
+    return size;
+}
+
+SimParams reference_params(SimParams params)
+{
+    params.method = Method::reference;
+    params.tethers = Tethers::none;
+    params.iterations = 0;
+    params.tolerance = kReferenceTolerance;
+    params.substeps = params.collision == CollisionLevel::none ? 0 : kContactSubsteps;
+    return params;
+}
+
+SceneStudy::SceneStudy(Scene scene, const SimParams& params) : scene_(std::move(scene)), params_(params), base_(params)
+{
+    params_.backend = base_.backend = Backend::cpu;
+    params_.count_pass_through = base_.count_pass_through = 0;
+}
+
+const SimParams& SceneStudy::params()
+{
+    scene_class();
+    return base_;
+}
+
+const Trajectory& SceneStudy::reference()
+{
+    scene_class();
+    return reference_;
+}
+
+const SceneClass& SceneStudy::scene_class()
+{
+    if (class_) return *class_;
+    class_.emplace();
+    const ClothModel model = build_cloth_model(make_sheets(scene_, params_), params_.mass_lumping);
+    class_->size_m = cloth_size(model);
+    class_->particles = model.vertex_count();
+    class_->frames = frames_of(kLongestHorizon_s, params_);
+    find_contact();
+    find_horizon();
+    return *class_;
+}
+
+// By a quick run that foresees contacts.
+void SceneStudy::find_contact()
+{
+    SimParams probe = params_;
+    probe.collision = std::max(params_.collision, CollisionLevel::speculative);
+    probe.culling = Culling::sound;
+    Simulation simulation(scene_, probe);
+    for (int frame = 1; frame <= class_->frames && class_->first_contact == 0; ++frame)
+        if (simulation.advance_frame().count.contacts > 0) class_->first_contact = frame;
+}
+
+void SceneStudy::find_horizon()
+{
+    const int shortest = frames_of(kShortestHorizon_s, params_);
+    SceneClass& found = *class_;
+    // Layers that meet later than the shortest horizon end it: each level answers them its own way.
+    if (found.first_contact > shortest) found.frames = std::min(found.frames, found.first_contact - 1);
+    const bool meets = found.first_contact > 0 && found.first_contact <= found.frames;
+    if (!meets) base_.collision = CollisionLevel::none;
+    if (params_.collision == CollisionLevel::none) found.first_contact = 0;
+
+    SimParams shifted = reference_params(base_), exact = reference_params(base_);
+    shifted.seed = exact.seed + 1;
+    shifted.jitter = kShift;
+    if (exact.seed == 0) exact.jitter = 0;
+    reference_ = run_trajectory(scene_, exact, found.frames);
+    const Trajectory other = run_trajectory(scene_, shifted, found.frames);
+    if (!reference_.failure.empty())
+        throw Error(reference_.failure + " (the reference of the study)", ExitCode::went_bad);
+    int frame = 1;
+    for (; frame <= std::min(found.frames, other.frames()); ++frame) {
+        const auto f = static_cast<std::size_t>(frame);
+        const double doubt = rms_distance(reference_.positions[f], other.positions[f]) / found.size_m;
+        found.is_chaotic = frame > shortest && doubt > kMostDoubt;
+        if (found.is_chaotic) break;
+        found.doubt_share = std::max(found.doubt_share, doubt);
+    }
+    found.frames = frame - 1;
+
+    SimParams finer = exact;
+    finer.tolerance = kCheckingTolerance;
+    if (finer.substeps > 0) finer.substeps *= 2;
+    const Trajectory check = run_trajectory(scene_, finer, found.frames);
+    found.reference_error_m = error_against(reference_, check, found.frames).rms_m;
+}
+
+nlohmann::ordered_json class_json(const SceneClass& c, const SimParams& base)
+{
+    return {{"size_m", c.size_m},
+            {"particles", c.particles},
+            {"frames", c.frames},
+            {"frame_rate", base.frame_rate},
+            {"doubt_share", c.doubt_share},
+            {"chaotic", c.is_chaotic},
+            {"first_contact_frame", c.first_contact},
+            {"collision", choice_names(CollisionLevel{})[std::size_t(base.collision)]},
+            {"reference_error_m", c.reference_error_m}};
+}
+
+}  // namespace nuno

@@ -1,0 +1,64 @@
+// What a scene is like for a study of errors: how far ahead its motion can be foretold at all, whether layers meet, and
+// where it should go.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "study/trajectory.h"
+
+namespace nuno {
+
+// How long positions can be compared. A start shifted by a millionth of a metre, about what single precision makes of
+// any run, leads elsewhere; once that is this share of the size of the cloth and more, the errors of settings are lost
+// in it, and only statistics of ensembles say something.
+inline constexpr double kMostDoubt = 1e-3;
+inline constexpr double kLongestHorizon_s = 1.5, kShortestHorizon_s = 0.2;
+
+struct SceneClass
+{
+    double size_m = 0;  // the longest side of a sheet at rest: errors are shares of it
+    std::uint32_t particles = 0;
+    int frames = 0;                // the horizon
+    double doubt_share = 0;        // what the shift leads to within the horizon, of the size
+    bool is_chaotic = false;       // the horizon ends there, not because it is long enough
+    int first_contact = 0;         // the first frame in which layers come near; 0: none does within the horizon
+    double reference_error_m = 0;  // rms, between the reference and itself with a tenth of its tolerance
+};
+
+// One scene with the parameters that its points change. What it holds is computed when first asked for.
+class SceneStudy
+{
+  public:
+    // On the cpu backend; `params` as the scene and the user have them.
+    SceneStudy(Scene scene, const SimParams& params);
+
+    const Scene& scene() const { return scene_; }
+    const std::string& name() const { return scene_.name; }
+    // The base of all points: collision is none where layers do not come near within the horizon.
+    const SimParams& params();
+    const SimParams& asked_params() const { return params_; }
+    const SceneClass& scene_class();
+    // Converged, on the mesh of the scene.
+    const Trajectory& reference();
+
+  private:
+    void find_contact();
+    void find_horizon();
+
+    Scene scene_;
+    SimParams params_, base_;
+    std::optional<SceneClass> class_;
+    Trajectory reference_;
+};
+
+// The longest side of a sheet at rest [m].
+double cloth_size(const ClothModel& model);
+
+// The parameters of a converged run of the same model.
+SimParams reference_params(SimParams params);
+
+nlohmann::ordered_json class_json(const SceneClass& scene_class, const SimParams& base);
+
+}  // namespace nuno

@@ -1,0 +1,150 @@
+// Points of a sweep on disk: going on after an interrupt, shares, and joining them.
+#include "study/sweep.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "support/program_run.h"
+
+namespace nuno {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const Json kHeader{{"study", "squares"}, {"version", "1"}};
+
+// Squares of 0 .. count - 1; `measured` counts them.
+std::vector<SweepPoint> squares(int count, int& measured)
+{
+    std::vector<SweepPoint> points;
+    for (int k = 0; k < count; ++k)
+        points.push_back({"square/" + std::to_string(k), [k, &measured] {
+                              ++measured;
+                              return Json{{"value", k * k}};
+                          }});
+    return points;
+}
+
+bool go_on(std::size_t, std::size_t) { return true; }
+
+TEST(Sweep, goes_on_where_it_was_interrupted_and_measures_nothing_twice)
+{
+    const TemporaryDirectory directory;
+    int measured = 0;
+    {
+        PointStore store(directory.path(), kHeader);
+        EXPECT_FALSE(
+            run_sweep(squares(10, measured), {}, store, [](std::size_t done, std::size_t) { return done < 4; }));
+    }
+    EXPECT_EQ(measured, 4);
+    PointStore store(directory.path(), kHeader);
+    EXPECT_EQ(store.resumed(), 4u);
+    EXPECT_TRUE(run_sweep(squares(10, measured), {}, store, go_on));
+    EXPECT_EQ(measured, 10);
+    EXPECT_EQ(store.results().at("square/9").at("value"), 81);
+    EXPECT_EQ(read_points(directory.path()).results.size(), 10u);
+}
+
+TEST(Sweep, half_a_line_is_dropped_and_measured_anew)
+{
+    const TemporaryDirectory directory;
+    int measured = 0;
+    {
+        PointStore store(directory.path(), kHeader);
+        run_sweep(squares(3, measured), {}, store, go_on);
+    }
+    fs::resize_file(directory.path() / "points.jsonl", fs::file_size(directory.path() / "points.jsonl") - 5);
+    {
+        PointStore store(directory.path(), kHeader);
+        EXPECT_TRUE(store.dropped_half_a_line());
+        EXPECT_EQ(store.resumed(), 2u);
+        run_sweep(squares(3, measured), {}, store, go_on);
+    }
+    EXPECT_EQ(measured, 4);
+    const StoredPoints stored = read_points(directory.path());
+    EXPECT_FALSE(stored.ends_in_half_a_line);
+    EXPECT_EQ(stored.results.size(), 3u);
+}
+
+TEST(Sweep, points_of_another_sweep_are_refused_and_left_alone)
+{
+    const TemporaryDirectory directory;
+    int measured = 0;
+    {
+        PointStore store(directory.path(), kHeader);
+        run_sweep(squares(2, measured), {}, store, go_on);
+    }
+    const std::string before = read_text(directory.path() / "points.jsonl");
+    EXPECT_THAT(
+        [&] {
+            PointStore(directory.path(), {{"study", "squares"}, {"version", "2"}});
+        },
+        ThrowsMessage<Error>(testing::AllOf(HasSubstr("version"), HasSubstr("another"))));
+    EXPECT_EQ(read_text(directory.path() / "points.jsonl"), before);
+}
+
+TEST(Sweep, a_line_that_is_no_point_is_named)
+{
+    const TemporaryDirectory directory;
+    directory.write("points.jsonl", kHeader.dump() + "\n{\"id\":\"a\",\"result\":1}\nnonsense\n");
+    EXPECT_THAT([&] { read_points(directory.path()); }, ThrowsMessage<Error>(HasSubstr("points.jsonl:3")));
+}
+
+TEST(Sweep, parts_join_to_the_whole_whatever_their_order)
+{
+    const TemporaryDirectory directory;
+    int measured = 0;
+    std::vector<fs::path> parts;
+    for (int k = 1; k <= 3; ++k) {
+        parts.push_back(directory.path() / std::to_string(k));
+        PointStore store(parts.back(), kHeader);
+        EXPECT_TRUE(run_sweep(squares(8, measured), {k, 3}, store, go_on));
+    }
+    EXPECT_EQ(measured, 8);
+    const auto whole = merge_points(parts, directory.path() / "a").results;
+    EXPECT_EQ(whole.size(), 8u);
+    std::swap(parts[0], parts[2]);
+    merge_points(parts, directory.path() / "b");
+    EXPECT_EQ(read_text(directory.path() / "a/points.jsonl"), read_text(directory.path() / "b/points.jsonl"));
+}
+
+TEST(Sweep, parts_that_disagree_are_not_joined)
+{
+    const TemporaryDirectory directory;
+    const fs::path a = directory.path() / "a", b = directory.path() / "b", c = directory.path() / "c";
+    PointStore(a, kHeader).add("x", {{"value", 1}});
+    PointStore(b, kHeader).add("x", {{"value", 2}});
+    PointStore(c, {{"study", "cubes"}, {"version", "1"}}).add("y", {{"value", 2}});
+    EXPECT_THAT(
+        [&] {
+            merge_points({a, b}, directory.path() / "d");
+        },
+        ThrowsMessage<Error>(HasSubstr("another result for x")));
+    EXPECT_THAT([&] { merge_points({a, c}, directory.path() / "d"); }, ThrowsMessage<Error>(HasSubstr("study")));
+    EXPECT_THAT(
+        [&] {
+            merge_points({a, directory.path() / "none"}, directory.path() / "d");
+        },
+        ThrowsMessage<Error>(HasSubstr("none")));
+}
+
+TEST(Sweep, a_shard_is_a_part_of_a_whole)
+{
+    const Shard second = parse_shard("2/3");
+    std::vector<std::size_t> taken;
+    for (std::size_t point = 0; point < 9; ++point)
+        if (second.takes(point)) taken.push_back(point);
+    EXPECT_THAT(taken, testing::ElementsAre(1, 4, 7));
+    for (const char* wrong : {"", "2", "0/3", "4/3", "2/3x", "a/b", "-1/2", "2/"})
+        EXPECT_THAT([&] { parse_shard(wrong); }, ThrowsMessage<Error>(HasSubstr("K/N"))) << wrong;
+}
+
+}  // namespace
+}  // namespace nuno
