@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/auto_command.h"
 #include "app/compare_command.h"
 #include "app/list_commands.h"
 #include "app/render_command.h"
@@ -59,6 +60,11 @@ int run(int argc, char** argv)
     CLI::App* compare_command = program.add_subcommand("compare", "Compare CPU and GPU: times and agreement");
     nuno::add_compare_flags(*compare_command, compare);
     compare_command->callback([&] { status = nuno::run_compare(compare); });
+
+    nuno::AutoFlags automatic;
+    CLI::App* auto_command = program.add_subcommand("auto", "Find the cheapest setting that keeps a promise");
+    nuno::add_auto_flags(*auto_command, automatic);
+    auto_command->callback([&] { status = nuno::run_auto(automatic); });
 
     nuno::TradeFlags trade;
     CLI::App* trade_command = program.add_subcommand("trade", "Measure speed against accuracy, and what to pick");

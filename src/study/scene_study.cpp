@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "sim/simulation.h"
+#include "solver/method_choice.h"
 
 namespace nuno {
 namespace {
@@ -20,12 +21,37 @@ constexpr float kShift = 1e-6f;  // [m] along each axis, of the other start
 constexpr float kReferenceTolerance = 1e-3f, kCheckingTolerance = 1e-4f;
 constexpr int kContactSubsteps = 128;
 
+// How long a scene without an end check is followed.
+constexpr int kLongSeconds = 4;
+
+// xpbd takes springs without dampers.
+bool takes_xpbd(const SimParams& params)
+{
+    return params.internal_model != InternalModel::continuum && params.stiffness_damping <= 0;
+}
+
 int frames_of(double seconds, const SimParams& params)
 {
     return std::max(1, static_cast<int>(std::lround(seconds * params.frame_rate)));
 }
 
 }  // namespace
+
+int long_frames(const SceneStudy& study)
+{
+    const int checked = study.scene().check.frames;
+    return checked > 0 ? checked : kLongSeconds * study.asked_params().frame_rate;
+}
+
+int layers_meet(const Scene& scene, SimParams params, int frames)
+{
+    params.collision = std::max(params.collision, CollisionLevel::speculative);
+    params.culling = Culling::sound;
+    Simulation simulation(scene, params);
+    for (int frame = 1; frame <= frames; ++frame)
+        if (simulation.advance_frame().count.contacts > 0) return frame;
+    return 0;
+}
 
 double cloth_size(const ClothModel& model)
 {
@@ -78,20 +104,12 @@ const SceneClass& SceneStudy::scene_class()
     class_->size_m = cloth_size(model);
     class_->particles = model.vertex_count();
     class_->frames = frames_of(kLongestHorizon_s, params_);
-    find_contact();
+    class_->first_contact = layers_meet(scene_, params_, class_->frames);
+    SimParams swept = params_;
+    swept.method = Method::xpbd;
+    class_->is_tethered = takes_xpbd(params_) && resolve_params(model, scene_.bodies, swept).tethers != Tethers::none;
     find_horizon();
     return *class_;
-}
-
-// By a quick run that foresees contacts.
-void SceneStudy::find_contact()
-{
-    SimParams probe = params_;
-    probe.collision = std::max(params_.collision, CollisionLevel::speculative);
-    probe.culling = Culling::sound;
-    Simulation simulation(scene_, probe);
-    for (int frame = 1; frame <= class_->frames && class_->first_contact == 0; ++frame)
-        if (simulation.advance_frame().count.contacts > 0) class_->first_contact = frame;
 }
 
 void SceneStudy::find_horizon()
@@ -136,6 +154,7 @@ nlohmann::ordered_json class_json(const SceneClass& c, const SimParams& base)
             {"frames", c.frames},
             {"frame_rate", base.frame_rate},
             {"doubt_share", c.doubt_share},
+            {"tethered", c.is_tethered},
             {"chaotic", c.is_chaotic},
             {"first_contact_frame", c.first_contact},
             {"collision", choice_names(CollisionLevel{})[std::size_t(base.collision)]},

@@ -22,6 +22,7 @@ struct SceneClass
     std::uint32_t particles = 0;
     int frames = 0;                // the horizon
     double doubt_share = 0;        // what the shift leads to within the horizon, of the size
+    bool is_tethered = false;      // xpbd and vbd would tie it to its pins
     bool is_chaotic = false;       // the horizon ends there, not because it is long enough
     int first_contact = 0;         // the first frame in which layers come near; 0: none does within the horizon
     double reference_error_m = 0;  // rms, between the reference and itself with a tenth of its tolerance
@@ -44,7 +45,6 @@ class SceneStudy
     const Trajectory& reference();
 
   private:
-    void find_contact();
     void find_horizon();
 
     Scene scene_;
@@ -52,6 +52,12 @@ class SceneStudy
     std::optional<SceneClass> class_;
     Trajectory reference_;
 };
+
+// Frames of the whole scene: up to its end check, or some seconds.
+int long_frames(const SceneStudy& study);
+
+// Whether layers come near each other in these frames, as a quick run foresees it; the first such frame, or 0.
+int layers_meet(const Scene& scene, SimParams params, int frames);
 
 // The longest side of a sheet at rest [m].
 double cloth_size(const ClothModel& model);

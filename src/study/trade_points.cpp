@@ -20,9 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Frames between those in which faces that intersect are counted, and how long a scene without an end check is followed.
+// Frames between those in which faces that intersect are counted.
 constexpr int kCheckEvery = 4;
-constexpr int kLongSeconds = 4;
 
 Json setting_json(const Setting& setting)
 {
@@ -32,12 +31,6 @@ Json setting_json(const Setting& setting)
 }
 
 double seconds(int frames, const SimParams& params) { return double(frames) / params.frame_rate; }
-
-int long_frames(const SceneStudy& study)
-{
-    const int checked = study.scene().check.frames;
-    return checked > 0 ? checked : kLongSeconds * study.asked_params().frame_rate;
-}
 
 Json measure_time(SceneStudy& study, const Setting& setting, const TradeOptions& options)
 {

@@ -50,7 +50,8 @@ double Trajectory::median_ms() const
     return ms[ms.size() / 2];
 }
 
-Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms)
+Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms,
+                          std::optional<double> enough_ms)
 {
     Simulation simulation(scene, params);
     Trajectory run;
@@ -63,7 +64,7 @@ Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frame
             run.count.add(stats.count);
             record(simulation, run);
             run.too_slow = most_ms && run.ms() > *most_ms * stats.time_s;
-            if (run.too_slow) break;
+            if (run.too_slow || (enough_ms && run.ms() > *enough_ms)) break;
         }
     } catch (const Error& error) {
         if (error.code() != ExitCode::went_bad) throw;

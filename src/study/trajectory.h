@@ -32,8 +32,10 @@ struct Trajectory
 };
 
 // Runs a scene. It ends early where it goes bad (`failure`), or takes more than `most_ms` a simulated second
-// (`too_slow`), asked after each frame. Error where scene or parameters do not work at all.
-Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms = {});
+// (`too_slow`), asked after each frame; or where the frames have taken `enough_ms`, which is no failure. Error where
+// scene or parameters do not work at all.
+Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms = {},
+                          std::optional<double> enough_ms = {});
 
 // The least time [ms] of `frames` frames from the start, of up to `repeats` runs after a first frame that warms up, as
 // many as fit into `most_ms` but one at least; nothing else is measured on the way.

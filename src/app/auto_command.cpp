@@ -1,0 +1,116 @@
+// `nuno auto`.
+#include "app/auto_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "app/interrupt.h"
+#include "app/machine.h"
+#include "app/progress.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/version.h"
+
+namespace nuno {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path cache_directory()
+{
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache != nullptr && *cache != 0) return fs::path(cache) / "nuno";
+    const char* home = std::getenv("HOME");
+    return (home != nullptr && *home != 0 ? fs::path(home) : fs::temp_directory_path()) / ".cache/nuno";
+}
+
+// All that errors and costs depend on.
+Json header_of(const SceneRun& run, const SceneStudy& study)
+{
+    const int threads = ThreadPool(run.params.threads).thread_count();
+    return {{"study", "auto"},
+            {"version", fmt::format("{} ({})", kVersion, kCommit)},
+            {"machine", {{"cpu", cpu_name()}, {"threads", threads}}},
+            {"scene", read_text(run.scene.path)},
+            {"params", params_json(sim_param_table(), &study.asked_params())}};
+}
+
+std::string named(const Json& header)
+{
+    return fmt::format("{:016x}", std::hash<std::string>{}(header["scene"].dump() + header["params"].dump()));
+}
+
+std::string words_of(const Setting& setting)
+{
+    std::string words;
+    for (const auto& [name, value] : setting)
+        words += fmt::format("{}--set {}={}", words.empty() ? "" : " ", name, value);
+    return words;
+}
+
+}  // namespace
+
+void add_auto_flags(CLI::App& command, AutoFlags& flags)
+{
+    command.add_option("scene", flags.common.scene, "Scene")->capture_default_str();
+    add_common_flags(command, flags.common);
+    command.add_option("--error", flags.error_percent, "Largest error, percent of the size of the cloth");
+    command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
+    command.add_flag("--forget", flags.forget, "Measure anew what is remembered");
+}
+
+AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget)
+{
+    SceneStudy study(run.scene, run.params);
+    const Json header = header_of(run, study);
+    const fs::path directory = cache_directory() / "auto" / named(header);
+    std::error_code status;
+    if (fs::exists(directory / "points.jsonl", status)) {
+        const bool is_stale = forget || read_points(directory).header != header;
+        if (is_stale && !forget && !quiet)
+            fmt::print(stderr, "auto: what is remembered is of another machine or version; measured anew\n");
+        if (is_stale) fs::remove(directory / "points.jsonl", status);
+    }
+    PointStore store(directory, header);
+    watch_interrupts();
+    std::optional<Progress> progress;
+    const AutoChoice choice = choose_setting(study, goal, store, [&](int done, int total) {
+        if (!progress) progress.emplace("auto", total, quiet);
+        progress->show(done);
+        return !interrupted();
+    });
+    if (interrupted()) throw Error("auto: interrupted; what was measured is remembered", ExitCode::interrupted);
+    return choice;
+}
+
+int run_auto(const AutoFlags& flags)
+{
+    const AutoGoal goal = auto_goal(flags.error_percent, flags.budget_ms);
+    const SceneRun run = prepare_run(flags.common, flags.common.scene);
+    if (!flags.common.json.empty()) check_can_write(flags.common.json);
+    const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget);
+    if (choice.set.empty())
+        throw Error(run.scene.name + ": no setting that was tried ran to its end", ExitCode::went_bad);
+    fmt::print("{}\n", words_of(choice.set));
+    fmt::print("error {:.2g} % of the size of the cloth, {:.3g} ms a frame; {} settings measured, {} remembered\n",
+               100 * choice.error_share, choice.ms_per_frame, choice.tried, choice.known);
+    for (const std::string& sentence : choice.given_up) fmt::print("given up: {}\n", sentence);
+    if (!choice.is_kept)
+        fmt::print("nuno: {}: the promise cannot be kept: of all that was tried this is the nearest\n", run.scene.name);
+    if (!flags.common.json.empty()) {
+        Json set;
+        for (const auto& [name, value] : choice.set) set[name] = value;
+        const Json report{{"scene", run.scene.name},
+                          {"set", set},
+                          {"error_share", choice.error_share},
+                          {"ms_per_frame", choice.ms_per_frame},
+                          {"kept", choice.is_kept},
+                          {"given_up", choice.given_up}};
+        write_whole(flags.common.json, report.dump(1) + "\n");
+    }
+    return static_cast<int>(choice.is_kept ? ExitCode::done : ExitCode::check_failed);
+}
+
+}  // namespace nuno

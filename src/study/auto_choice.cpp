@@ -1,0 +1,186 @@
+// The search for a setting.
+#include "study/auto_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "core/error.h"
+#include "study/trade_settings.h"
+
+namespace nuno {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Frames that tell what a setting costs at the start, and runs of them.
+constexpr int kProbeFrames = 3, kProbeRuns = 3;
+constexpr double kProbeMs = 200;
+// A setting slower than this a simulated second is given up.
+constexpr double kMostMs = 20000;
+// How long the frames of a scene may take that tell what a setting costs later on [ms].
+constexpr double kLongMs = 1500;
+// A dearer start than this many times the best cost is not looked at: probes are a little uncertain.
+constexpr double kProbeTrust = 1.3;
+
+struct Candidate
+{
+    Setting set;
+    double probe_ms = 0;  // of a frame at the start, without self-collision; infinite where it goes bad
+};
+
+std::string_view level_name(CollisionLevel level) { return choice_names(CollisionLevel{})[std::size_t(level)]; }
+
+// The result of a point, measured where the store lacks it.
+const Json& stored(PointStore& store, const std::string& id, const std::function<Json()>& measure)
+{
+    if (!store.holds(id)) store.add(id, measure());
+    return store.results().at(id);
+}
+
+// The scene's class, and whether layers come near each other at any time of its run.
+Json describe(SceneStudy& study)
+{
+    Json about = class_json(study.scene_class(), study.params());
+    SimParams probe = study.asked_params();
+    about["meets"] = probe.collision != CollisionLevel::none && layers_meet(study.scene(), probe, long_frames(study));
+    return about;
+}
+
+std::vector<Candidate> candidates_by_cost(SceneStudy& study, PointStore& store)
+{
+    const SimParams& asked = study.asked_params();
+    SimParams bare = asked;
+    bare.collision = CollisionLevel::none;
+    const ClothModel model = build_cloth_model(make_sheets(study.scene(), asked), asked.mass_lumping);
+    std::vector<Candidate> candidates;
+    for (Setting& setting : settings_in_time(model, study.scene().bodies, asked)) {
+        const Json& probe = stored(store, "probe/" + setting_text(setting), [&]() -> Json {
+            try {
+                const SimParams params = with_setting(bare, setting);
+                return {
+                    {"ms", least_frames_ms(study.scene(), params, kProbeFrames, kProbeRuns, kProbeMs) / kProbeFrames}};
+            } catch (const Error& error) {
+                if (error.code() != ExitCode::went_bad) throw;
+                return {{"failure", error.what()}};
+            }
+        });
+        if (probe.contains("ms")) candidates.push_back({std::move(setting), probe["ms"]});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.probe_ms < b.probe_ms; });
+    return candidates;
+}
+
+// Error over the horizon; cost of a frame of the whole scene, with self-collision. Neither where the run did not get to
+// its end.
+Json measure(SceneStudy& study, const Setting& setting, CollisionLevel level)
+{
+    const int frames = study.scene_class().frames;
+    const Trajectory run = run_trajectory(study.scene(), with_setting(study.params(), setting), frames, kMostMs);
+    Json result{{"substeps", run.substeps}};
+    if (run.frames() < frames) return result["failure"] = run.too_slow ? "too slow" : run.failure, result;
+    SimParams whole = with_setting(study.asked_params(), setting);
+    whole.collision = level;
+    const Trajectory later = run_trajectory(study.scene(), whole, long_frames(study), {}, kLongMs);
+    if (!later.failure.empty()) return result["failure"] = later.failure, result;
+    result["error_share"] = error_against(run, study.reference(), frames).rms_m / study.scene_class().size_m;
+    result["ms_per_frame"] = later.median_ms();
+    result["largest_strain"] = later.largest_strain;
+    return result;
+}
+
+// How far from the goal, for choosing among settings that do not keep it.
+double excess(const AutoGoal& goal, double error_share, double ms)
+{
+    return goal.error_share ? error_share / *goal.error_share : ms / *goal.budget_ms;
+}
+
+bool is_better(const AutoGoal& goal, const AutoChoice& best, double error_share, double ms)
+{
+    if (best.set.empty()) return true;
+    const bool kept = goal.is_kept_by(error_share, ms);
+    if (kept != best.is_kept) return kept;
+    if (!kept) return excess(goal, error_share, ms) < excess(goal, best.error_share, best.ms_per_frame);
+    return goal.error_share ? ms < best.ms_per_frame : error_share < best.error_share;
+}
+
+void say_what_is_given_up(const Json& about, const SimParams& asked, AutoChoice& choice)
+{
+    if (asked.collision != CollisionLevel::none && !about.at("meets").get<bool>())
+        choice.given_up.push_back(fmt::format("self-collision, {} in the scene: its layers do not come near each other",
+                                              level_name(asked.collision)));
+    if (about.at("chaotic").get<bool>())
+        choice.given_up.push_back(fmt::format(
+            "any promise of positions after {:.2g} s: from then on rounding alone moves the cloth by {:g} % of its size",
+            about.at("frames").get<double>() / asked.frame_rate, 100 * kMostDoubt));
+    const auto has = [&](std::string_view name) {
+        return std::any_of(choice.set.begin(), choice.set.end(), [&](const auto& word) { return word.first == name; });
+    };
+    const int passes = asked.collision_passes;
+    if (about.at("meets").get<bool>() && passes > choice.substeps && choice.substeps > 0)
+        choice.given_up.push_back(fmt::format("collision passes: {} a frame in the scene, {} with so many substeps",
+                                              passes, choice.substeps));
+    const bool sweeps = !choice.set.empty() && (choice.set[0].second == "xpbd" || choice.set[0].second == "vbd");
+    if (sweeps && !has("tethers") && about.at("tethered").get<bool>())
+        choice.given_up.push_back("stretch along the way to a pin: tethers forbid it");
+}
+
+}  // namespace
+
+bool AutoGoal::is_kept_by(double error, double ms) const
+{
+    return (!error_share || error <= *error_share) && (!budget_ms || ms <= *budget_ms);
+}
+
+AutoGoal auto_goal(std::optional<double> error_percent, std::optional<double> budget_ms)
+{
+    if (error_percent.has_value() == budget_ms.has_value())
+        throw Error("auto: give one of --error PERCENT and --budget-ms MS");
+    if (error_percent && !(*error_percent > 0 && *error_percent <= 100))
+        throw Error(
+            fmt::format("--error {}: no setting has no error; give percent of the size of the cloth, over 0 and up "
+                        "to 100, such as 1",
+                        *error_percent));
+    if (budget_ms && !(*budget_ms > 0 && *budget_ms < std::numeric_limits<double>::infinity()))
+        throw Error(
+            fmt::format("--budget-ms {}: no frame takes no time; give milliseconds over 0, such as 4", *budget_ms));
+    AutoGoal goal;
+    if (error_percent) goal.error_share = *error_percent / 100;
+    goal.budget_ms = budget_ms;
+    return goal;
+}
+
+AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const AutoProgress& progress)
+{
+    const SimParams& asked = study.asked_params();
+    const Json about = stored(store, "scene", [&] { return describe(study); });
+    const CollisionLevel level = about.at("meets").get<bool>() ? asked.collision : CollisionLevel::none;
+    const std::vector<Candidate> candidates = candidates_by_cost(study, store);
+    AutoChoice best;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        const double most = goal.budget_ms ? *goal.budget_ms : best.ms_per_frame;
+        if ((goal.budget_ms || best.is_kept) && !best.set.empty() && candidate.probe_ms > kProbeTrust * most) break;
+        if (!progress(static_cast<int>(i), static_cast<int>(candidates.size()))) break;
+        const std::string id = setting_text(candidate.set);
+        best.known += store.holds(id);
+        best.tried += !store.holds(id);
+        const Json& result = stored(store, id, [&] { return measure(study, candidate.set, level); });
+        if (!result.contains("error_share")) continue;
+        const double error = result["error_share"], ms = result["ms_per_frame"];
+        if (!is_better(goal, best, error, ms)) continue;
+        best.set = candidate.set;
+        best.substeps = result["substeps"];
+        best.error_share = error;
+        best.ms_per_frame = ms;
+        best.is_kept = goal.is_kept_by(error, ms);
+    }
+    if (level != asked.collision && !best.set.empty()) best.set.emplace_back("collision", level_name(level));
+    say_what_is_given_up(about, asked, best);
+    return best;
+}
+
+}  // namespace nuno

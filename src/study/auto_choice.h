@@ -1,0 +1,43 @@
+// The cheapest setting of a scene that keeps an error, or the most exact one within a budget, by measurement on this
+// machine (docs/auto.md).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/trade_results.h"
+
+namespace nuno {
+
+// One of the two is asked for.
+struct AutoGoal
+{
+    std::optional<double> error_share;  // at most, of the size of the cloth, as nuno trade measures it
+    std::optional<double> budget_ms;    // at most, of a frame
+
+    bool is_kept_by(double error_share_measured, double ms_per_frame) const;
+};
+
+// Error where a goal is none: zero, negative, both or neither given.
+AutoGoal auto_goal(std::optional<double> error_percent, std::optional<double> budget_ms);
+
+struct AutoChoice
+{
+    Setting set;                        // empty where nothing that was tried ran to its end
+    int substeps = 0;                   // a frame, as used
+    double error_share = 0;             // measured over the horizon of the scene
+    double ms_per_frame = 0;            // measured, with self-collision
+    bool is_kept = false;               // the goal; else this is the nearest to it
+    int tried = 0, known = 0;           // settings measured now, and before
+    std::vector<std::string> given_up;  // what it does without, a sentence each
+};
+
+// Called before each setting that is measured; false ends the search with what is known.
+using AutoProgress = std::function<bool(int done, int total)>;
+
+// Settings are tried by rising cost until no cheaper one is left; what was measured before is in `store` and not
+// measured again.
+AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const AutoProgress& progress);
+
+}  // namespace nuno

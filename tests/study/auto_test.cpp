@@ -1,0 +1,114 @@
+// nuno auto: the choice is the cheapest that keeps the promise, as a full sweep finds it; what is remembered is not
+// measured again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "study/auto_choice.h"
+#include "support/program_run.h"
+
+namespace nuno {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+SceneStudy small_study(const char* name, int frames)
+{
+    Scene scene = load_scene(name);
+    SimParams params = scene.params;
+    params.resolution = 9;
+    params.threads = 1;
+    scene.check.frames = frames;
+    return SceneStudy(std::move(scene), params);
+}
+
+bool go_on(int, int) { return true; }
+
+TEST(Auto, a_goal_is_one_number_that_can_be_kept)
+{
+    EXPECT_DOUBLE_EQ(*auto_goal(3.0, {}).error_share, 0.03);
+    EXPECT_DOUBLE_EQ(*auto_goal({}, 4.0).budget_ms, 4);
+    EXPECT_THAT([] { auto_goal({}, {}); }, ThrowsMessage<Error>(HasSubstr("--budget-ms")));
+    EXPECT_THAT([] { auto_goal(1.0, 1.0); }, ThrowsMessage<Error>(HasSubstr("one of")));
+    for (const double wrong : {0.0, -1.0, 101.0, std::nan("")}) {
+        EXPECT_THAT([&] { auto_goal(wrong, {}); }, ThrowsMessage<Error>(HasSubstr("--error"))) << wrong;
+        if (wrong != 101.0) {
+            EXPECT_THAT([&] { auto_goal({}, wrong); }, ThrowsMessage<Error>(HasSubstr("--budget-ms"))) << wrong;
+        }
+    }
+}
+
+// The error of the choice, measured anew and apart from the search.
+TEST(Auto, keeps_the_error_that_is_asked_for)
+{
+    const TemporaryDirectory directory;
+    for (const double percent : {10.0, 1.0, 0.3}) {
+        SceneStudy study = small_study("seed", 20);
+        PointStore store(directory.path(), {{"study", "auto"}});
+        const AutoChoice choice = choose_setting(study, auto_goal(percent, {}), store, go_on);
+        EXPECT_TRUE(choice.is_kept);
+        const Trajectory run =
+            run_trajectory(study.scene(), with_setting(study.params(), choice.set), study.scene_class().frames);
+        const double error = error_against(run, study.reference(), study.scene_class().frames).rms_m;
+        EXPECT_LE(error / study.scene_class().size_m, percent / 100);
+        EXPECT_NEAR(error / study.scene_class().size_m, choice.error_share, 1e-9);
+    }
+}
+
+TEST(Auto, measures_nothing_twice)
+{
+    const TemporaryDirectory directory;
+    SceneStudy study = small_study("seed", 20);
+    PointStore store(directory.path(), {{"study", "auto"}});
+    const AutoChoice first = choose_setting(study, auto_goal(1.0, {}), store, go_on);
+    EXPECT_GT(first.tried, 0);
+    SceneStudy again = small_study("seed", 20);
+    const AutoChoice second = choose_setting(again, auto_goal(1.0, {}), store, go_on);
+    EXPECT_EQ(second.tried, 0);
+    EXPECT_EQ(second.known, first.tried);
+    EXPECT_EQ(second.set, first.set);
+    EXPECT_EQ(second.error_share, first.error_share);
+}
+
+TEST(Auto, says_where_a_promise_cannot_be_kept_and_what_comes_nearest)
+{
+    const TemporaryDirectory directory;
+    SceneStudy study = small_study("seed", 20);
+    PointStore store(directory.path(), {{"study", "auto"}});
+    const AutoChoice choice = choose_setting(study, auto_goal({}, 1e-6), store, go_on);
+    EXPECT_FALSE(choice.is_kept);
+    EXPECT_FALSE(choice.set.empty());
+    EXPECT_GT(choice.ms_per_frame, 1e-6);
+}
+
+// Nothing touches in so few frames, so that self-collision is left out, and said to be.
+TEST(Auto, leaves_out_self_collision_where_layers_do_not_meet)
+{
+    const TemporaryDirectory directory;
+    SceneStudy study = small_study("seed", 20);
+    ASSERT_NE(study.asked_params().collision, CollisionLevel::none);
+    PointStore store(directory.path(), {{"study", "auto"}});
+    const AutoChoice choice = choose_setting(study, auto_goal(10.0, {}), store, go_on);
+    EXPECT_THAT(choice.set, testing::Contains(std::pair<std::string, std::string>("collision", "none")));
+    EXPECT_THAT(choice.given_up, testing::Contains(HasSubstr("self-collision, discrete")));
+}
+
+TEST(Auto, the_command_prints_words_that_render_takes)
+{
+    const TemporaryDirectory directory;
+    const std::string cache = "XDG_CACHE_HOME=" + directory.path().string();
+    const std::vector<std::string> words{"auto", "seed", "--set", "resolution=9", "--error", "3", "--quiet"};
+    const ProgramResult found = run_program(words, {cache});
+    ASSERT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_THAT(found.out, HasSubstr("--set method="));
+    const ProgramResult again = run_program(words, {cache});
+    EXPECT_THAT(again.out, HasSubstr(" 0 settings measured"));
+    EXPECT_EQ(run_program({"auto", "seed", "--error", "0"}).exit_code, 2);
+    EXPECT_EQ(run_program({"auto", "seed"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace nuno
