@@ -12,6 +12,7 @@
 
 #include "app/auto_command.h"
 #include "app/compare_command.h"
+#include "app/explain_command.h"
 #include "app/list_commands.h"
 #include "app/render_command.h"
 #include "app/trade_command.h"
@@ -65,6 +66,11 @@ int run(int argc, char** argv)
     CLI::App* auto_command = program.add_subcommand("auto", "Find the cheapest setting that keeps a promise");
     nuno::add_auto_flags(*auto_command, automatic);
     auto_command->callback([&] { status = nuno::run_auto(automatic); });
+
+    nuno::ExplainFlags explain;
+    CLI::App* explain_command = program.add_subcommand("explain", "Say what a scene needs, and what each part costs");
+    nuno::add_explain_flags(*explain_command, explain);
+    explain_command->callback([&] { status = nuno::run_explain(explain); });
 
     nuno::TradeFlags trade;
     CLI::App* trade_command = program.add_subcommand("trade", "Measure speed against accuracy, and what to pick");

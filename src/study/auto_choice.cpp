@@ -110,11 +110,14 @@ bool is_better(const AutoGoal& goal, const AutoChoice& best, double error_share,
 void say_what_is_given_up(const Json& about, const SimParams& asked, AutoChoice& choice)
 {
     if (asked.collision != CollisionLevel::none && !about.at("meets").get<bool>())
-        choice.given_up.push_back(fmt::format("self-collision, {} in the scene: its layers do not come near each other",
-                                              level_name(asked.collision)));
+        choice.given_up.push_back(
+            fmt::format("self-collision, {} in the scene: its layers do not come near each "
+                        "other",
+                        level_name(asked.collision)));
     if (about.at("chaotic").get<bool>())
         choice.given_up.push_back(fmt::format(
-            "any promise of positions after {:.2g} s: from then on rounding alone moves the cloth by {:g} % of its size",
+            "any promise of positions after {:.2g} s: from then on rounding alone moves the cloth by {:g} % of its "
+            "size",
             about.at("frames").get<double>() / asked.frame_rate, 100 * kMostDoubt));
     const auto has = [&](std::string_view name) {
         return std::any_of(choice.set.begin(), choice.set.end(), [&](const auto& word) { return word.first == name; });

@@ -64,7 +64,8 @@ bool plot_trade(const TradeScene& scene, const std::filesystem::path& directory)
     const auto [least_error, largest_error] = std::minmax_element(errors.begin(), errors.end());
     const auto [least_ms, largest_ms] = std::minmax_element(costs.begin(), costs.end());
     std::string script = fmt::format(
-        "set logscale xy\nset grid\nset key outside right top Left reverse samplen 2 font ',10' noenhanced\nset title 'nuno trade: {}'  noenhanced\n"
+        "set logscale xy\nset grid\nset key outside right top Left reverse samplen 2 font ',10' noenhanced\nset "
+        "title 'nuno trade: {}'  noenhanced\n"
         "set xlabel 'error in time: rms distance from the converged run, percent of the size of the cloth'\n"
         "set ylabel 'cost: ms of one simulated second'\nset xtics format '%g'\nset ytics format '%g'\n"
         "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n",

@@ -105,7 +105,8 @@ std::string other_errors(const TradeScene& scene)
         rows.push_back(
             {"model", code(words(r)), r.contains("error_share") ? percent(r["error_share"]) : "-", reason(r)});
     if (rows.empty()) return "";
-    return "<h3>Errors in space and of the model</h3><p>Each converged in time, against the mesh and the model of the scene, "
+    return "<h3>Errors in space and of the model</h3><p>Each converged in time, against the mesh and the model of "
+           "the scene, "
            "over the same frames.</p>" +
            html_table({"error", "with", "rms", ""}, rows);
 }
@@ -118,7 +119,8 @@ std::string levels(const TradeScene& scene)
                         number(r, "poses_that_intersect", "{:.0f}"), number(r, "intersections_per_pose", "{:.1f}"),
                         r.contains("largest_strain") ? percent(r["largest_strain"]) : "-", reason(r)});
     if (rows.empty()) return "";
-    return "<h3>Self-collision</h3><p>With the scene's own settings to its end; intersecting pairs of faces are counted "
+    return "<h3>Self-collision</h3><p>With the scene's own settings to its end; intersecting pairs of faces are "
+           "counted "
            "exactly.</p>" +
            html_table({"level", "ms a frame", "poses", "that intersect", "pairs a pose", "largest strain", ""}, rows);
 }
@@ -155,8 +157,10 @@ std::string long_runs(const TradeScene& scene)
                         with_deviation(r, "largest_strain"), number(r, "kinetic_share_at_the_end", "{:.1e}"),
                         reason(r)});
     if (rows.empty()) return "";
-    return "<h3>Long runs</h3><p>To the end of the scene with nuno's own number of substeps. Means over the second half of a "
-           "run: the centre of the cloth over its size, kinetic energy; largest strain of the run. Where motion is chaotic, "
+    return "<h3>Long runs</h3><p>To the end of the scene with nuno's own number of substeps. Means over the second "
+           "half of a "
+           "run: the centre of the cloth over its size, kinetic energy; largest strain of the run. Where motion is "
+           "chaotic, "
            "of an ensemble of jittered starts, with its standard deviation.</p>" +
            html_table({"setting", "runs", "ms a second", "centre x", "y", "z", "kinetic, J", "strain",
                        "kinetic energy left", ""},
@@ -171,13 +175,16 @@ std::string trade_page(const std::vector<TradeScene>& scenes, const Json& header
     const Json machine = header.value("machine", Json::object());
     const bool software = machine.value("software_gl", false);
     std::string body = fmt::format(
-        "<p>Measured on {} ({} threads) by nuno {}. Costs are the least of some runs after a first one, of solver and "
+        "<p>Measured on {} ({} threads) by nuno {}. Costs are the least of some runs after a first one, of solver "
+        "and "
         "collision, on the CPU with {} thread(s) unless said.</p>\n",
         html_text(machine.value("cpu", "an unknown CPU")), machine.value("threads", 0),
         html_text(header.value("version", "")), header.value("threads", 1));
     body +=
-        "<p>The <b>error in time</b> is the root mean square distance of all vertices in all frames from a converged run of "
-        "the same springs on the same mesh, in percent of the longest side of the cloth. What a finer mesh or another "
+        "<p>The <b>error in time</b> is the root mean square distance of all vertices in all frames from a "
+        "converged run of "
+        "the same springs on the same mesh, in percent of the longest side of the cloth. What a finer mesh or "
+        "another "
         "model would change stands apart.</p>\n";
     for (const TradeScene& scene : scenes) {
         body += "<h2>" + html_text(scene.name) + "</h2>\n";
