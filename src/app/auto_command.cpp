@@ -11,12 +11,16 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
+#include "study/auto_choice.h"
 
 namespace nuno {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kNothingRan = ": no setting that was tried ran to its end";
+constexpr const char* kNotKept = ": the promise cannot be kept: of all that was tried this is the nearest";
 
 fs::path cache_directory()
 {
@@ -50,17 +54,7 @@ std::string words_of(const Setting& setting)
     return words;
 }
 
-}  // namespace
-
-void add_auto_flags(CLI::App& command, AutoFlags& flags)
-{
-    command.add_option("scene", flags.common.scene, "Scene")->capture_default_str();
-    add_common_flags(command, flags.common);
-    command.add_option("--error", flags.error_percent, "Largest error, percent of the size of the cloth");
-    command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
-    command.add_flag("--forget", flags.forget, "Measure anew what is remembered");
-}
-
+// Measures and chooses; what was measured before on this machine is remembered. `forget`: measures all anew.
 AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget)
 {
     SceneStudy study(run.scene, run.params);
@@ -85,20 +79,49 @@ AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, boo
     return choice;
 }
 
+}  // namespace
+
+void add_promise_flags(CLI::App& command, PromiseFlags& flags)
+{
+    command.add_option("--error", flags.error_percent, "Largest error, percent of the size of the cloth");
+    command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
+}
+
+bool apply_promise(const PromiseFlags& flags, SceneRun& run, bool quiet)
+{
+    if (!flags.is_given()) return true;
+    const AutoChoice choice = choose_for(run, auto_goal(flags.error_percent, flags.budget_ms), quiet, false);
+    if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
+    run.params = with_setting(run.params, choice.set);
+    run.check_applies = false;
+    if (!quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, words_of(choice.set));
+    if (!quiet)
+        for (const std::string& sentence : choice.given_up)
+            fmt::print(stderr, "{}: given up: {}\n", run.scene.name, sentence);
+    if (!choice.is_kept) fmt::print(stderr, "nuno: {}{}\n", run.scene.name, kNotKept);
+    return choice.is_kept;
+}
+
+void add_auto_flags(CLI::App& command, AutoFlags& flags)
+{
+    command.add_option("scene", flags.common.scene, "Scene")->capture_default_str();
+    add_common_flags(command, flags.common);
+    add_promise_flags(command, flags.promise);
+    command.add_flag("--forget", flags.forget, "Measure anew what is remembered");
+}
+
 int run_auto(const AutoFlags& flags)
 {
-    const AutoGoal goal = auto_goal(flags.error_percent, flags.budget_ms);
+    const AutoGoal goal = auto_goal(flags.promise.error_percent, flags.promise.budget_ms);
     const SceneRun run = prepare_run(flags.common, flags.common.scene);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget);
-    if (choice.set.empty())
-        throw Error(run.scene.name + ": no setting that was tried ran to its end", ExitCode::went_bad);
+    if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
     fmt::print("{}\n", words_of(choice.set));
     fmt::print("error {:.2g} % of the size of the cloth, {:.3g} ms a frame; {} settings measured, {} remembered\n",
                100 * choice.error_share, choice.ms_per_frame, choice.tried, choice.known);
     for (const std::string& sentence : choice.given_up) fmt::print("given up: {}\n", sentence);
-    if (!choice.is_kept)
-        fmt::print("nuno: {}: the promise cannot be kept: of all that was tried this is the nearest\n", run.scene.name);
+    if (!choice.is_kept) fmt::print("nuno: {}{}\n", run.scene.name, kNotKept);
     if (!flags.common.json.empty()) {
         Json set;
         for (const auto& [name, value] : choice.set) set[name] = value;

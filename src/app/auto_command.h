@@ -1,4 +1,4 @@
-// `nuno auto`, and the same choice for other commands.
+// `nuno auto`, and the same choice for `view` and `render`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,22 +6,30 @@
 #include <string>
 
 #include "app/command_line.h"
-#include "study/auto_choice.h"
 
 namespace nuno {
+
+// --error and --budget-ms; at most one of them.
+struct PromiseFlags
+{
+    std::optional<double> error_percent, budget_ms;
+
+    bool is_given() const { return error_percent || budget_ms; }
+};
+
+void add_promise_flags(CLI::App& command, PromiseFlags& flags);
+
+// Sets what `nuno auto` chooses for the run, and tells it on stderr. False where the promise cannot be kept.
+bool apply_promise(const PromiseFlags& flags, SceneRun& run, bool quiet);
 
 struct AutoFlags
 {
     CommonFlags common;
-    std::optional<double> error_percent, budget_ms;
+    PromiseFlags promise;
     bool forget = false;
 };
 
 void add_auto_flags(CLI::App& command, AutoFlags& flags);
 int run_auto(const AutoFlags& flags);
-
-// Measures and chooses for a scene; what was measured before on this machine is remembered, in $XDG_CACHE_HOME/nuno or
-// ~/.cache/nuno. `forget`: measures all anew.
-AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget);
 
 }  // namespace nuno

@@ -203,6 +203,7 @@ void add_render_flags(CLI::App& command, RenderFlags& flags)
         ->check(CLI::Range(1, 100000000));
     command.add_option("--size", flags.size, "Size of the pictures, WxH");
     command.add_flag("--no-images", flags.no_images, "Write no pictures");
+    add_promise_flags(command, flags.promise);
 }
 
 int run_render(const RenderFlags& flags)
@@ -210,6 +211,7 @@ int run_render(const RenderFlags& flags)
     SceneRun run = prepare_run(flags.common, flags.common.scene);
     apply_size(flags.size, run.view);
     const OutputPlan plan = plan_output(flags);
+    const bool kept = apply_promise(flags.promise, run, flags.common.quiet);
     const Machine machine(plan.draws() || run.params.backend == Backend::gpu);
     Simulation simulation(run.scene, run.params);
     remark(flags, run, machine, simulation);
@@ -227,7 +229,7 @@ int run_render(const RenderFlags& flags)
     if (const auto warning = flags.common.quiet ? std::nullopt : simulation.present_warning())
         fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
-    return static_cast<int>(result.code);
+    return static_cast<int>(kept || result.code != ExitCode::done ? result.code : ExitCode::check_failed);
 }
 
 }  // namespace nuno

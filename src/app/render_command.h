@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/auto_command.h"
 #include "app/command_line.h"
 
 namespace nuno {
@@ -10,6 +11,7 @@ namespace nuno {
 struct RenderFlags
 {
     CommonFlags common;
+    PromiseFlags promise;
     int frames = 240;
     int every = 1;
     int check = 0;  // looks at the pose of every so many frames; 0: at none

@@ -12,6 +12,7 @@ void add_view_flags(CLI::App& command, ViewFlags& flags)
         ->capture_default_str();
     add_common_flags(command, flags.common);
     command.add_option("--size", flags.size, "Size of the window, WxH");
+    add_promise_flags(command, flags.promise);
     command.add_flag("--paused", flags.paused, "Start at rest");
     command.add_flag("--log-actions", flags.log_actions, "Tell every action and the place of every control on stderr");
 }
@@ -22,6 +23,7 @@ int run_view(const ViewFlags& flags)
     const auto load = [&flags](const std::string& name_or_path) {
         SceneRun run = prepare_run(flags.common, name_or_path);
         apply_size(flags.size, run.view);
+        apply_promise(flags.promise, run, flags.common.quiet);
         return ViewerScene{std::move(run.scene), run.params, run.view};
     };
     if (!flags.common.json.empty()) check_can_write(flags.common.json);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/auto_command.h"
 #include "app/command_line.h"
 
 namespace nuno {
@@ -10,6 +11,7 @@ namespace nuno {
 struct ViewFlags
 {
     CommonFlags common;
+    PromiseFlags promise;
     std::string size;
     bool paused = false, log_actions = false;
 };

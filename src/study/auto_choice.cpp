@@ -182,6 +182,7 @@ AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& s
         best.is_kept = goal.is_kept_by(error, ms);
     }
     if (level != asked.collision && !best.set.empty()) best.set.emplace_back("collision", level_name(level));
+    if (!best.set.empty()) best.set.emplace_back("backend", "cpu");
     say_what_is_given_up(about, asked, best);
     return best;
 }

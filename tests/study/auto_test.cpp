@@ -106,6 +106,11 @@ TEST(Auto, the_command_prints_words_that_render_takes)
     EXPECT_THAT(found.out, HasSubstr("--set method="));
     const ProgramResult again = run_program(words, {cache});
     EXPECT_THAT(again.out, HasSubstr(" 0 settings measured"));
+    const ProgramResult run = run_program({"render", "seed", "--set", "resolution=9", "--error", "3", "--frames", "5",
+                                           "--no-images", "--json", (directory.path() / "r.json").string()},
+                                          {cache});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(found.out.substr(0, found.out.find('\n'))));
     EXPECT_EQ(run_program({"auto", "seed", "--error", "0"}).exit_code, 2);
     EXPECT_EQ(run_program({"auto", "seed"}).exit_code, 2);
 }
