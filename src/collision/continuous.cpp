@@ -134,7 +134,8 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
         for (Impact& impact : impacts)
             impact.target = std::min(kImpactGap * double(settings.thickness), double(kept_distance(impact.pair, rest)));
         all.insert(all.end(), impacts.begin(), impacts.end());
-        answer_impacts(all, start, {double(settings.friction), inverse_masses}, positions);
+        answer_impacts(all, start, {double(settings.friction), double(settings.static_friction), inverse_masses},
+                       positions);
 
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
         mark(impacts);

@@ -21,9 +21,9 @@ namespace nuno {
 
 struct LayerSettings
 {
-    float thickness;  // [m]
-    float friction;   // kinetic, between layers
-    bool guaranteed;  // rolls back what rounds of impulses leave
+    float thickness;                  // [m]
+    float friction, static_friction;  // between layers
+    bool guaranteed;                  // rolls back what rounds of impulses leave
     Culling culling = Culling::sound;
     // [ms] that the answer to the impacts of a pass may take before it goes the short way: everything that still meets
     // goes back to the start of the pass. The promise holds, results depend on the machine's speed. 0: no limit.

@@ -37,7 +37,17 @@ Weighed weigh(const Impact& impact, std::span<const glm::dvec3> start, const Imp
     return sum;
 }
 
-// The largest way that it moved anything along the normal [m].
+// What friction takes [m kg], of an impact with this impulse: what would stop the layers across each other, `stopping`,
+// where they bear that, else what they bear while they slide. After Coulomb:
+//     |drag| <= resting impulse, or |drag| = kinetic impulse against the way.
+glm::dvec3 coulomb_drag(const glm::dvec3& stopping, double impulse, const ImpactTerms& terms)
+{
+    const double length = glm::length(stopping);
+    if (length <= std::max(terms.resting, terms.kinetic) * impulse) return stopping;
+    return stopping * (terms.kinetic * impulse / length);
+}
+
+// The largest way that it moved anything [m].
 double answer_one(Impact& impact, std::span<const glm::dvec3> start, const ImpactTerms& terms,
                   std::span<glm::dvec3> positions)
 {
@@ -45,21 +55,17 @@ double answer_one(Impact& impact, std::span<const glm::dvec3> start, const Impac
     if (now.mobility <= 0) return 0;
     const double before = impact.impulse;
     impact.impulse = std::max(0.0, before + (impact.target - now.gap) / now.mobility);
-    const double change = impact.impulse - before;
-    if (change == 0) return 0;
+    const glm::dvec3 across = now.way - glm::dot(now.way, impact.normal) * impact.normal;
+    const glm::dvec3 drag = coulomb_drag(impact.drag - across / now.mobility, impact.impulse, terms);
+    const glm::dvec3 push = (impact.impulse - before) * impact.normal + (drag - impact.drag);
+    if (push == glm::dvec3(0)) return 0;
 
-    glm::dvec3 push = change * impact.normal;
-    if (change > 0) {
-        const glm::dvec3 across = now.way - glm::dot(now.way, impact.normal) * impact.normal;
-        const double length = glm::length(across);
-        if (length > 1e-12)
-            push -= across * (std::min(1.0, terms.friction * change * now.mobility / length) / now.mobility);
-    }
+    impact.drag = drag;
     for (int i = 0; i < 4; ++i) {
         const std::uint32_t v = impact.pair.vertices[i];
         positions[v] += push * (impact.weights[std::size_t(i)] * terms.inverse_masses[v]);
     }
-    return std::abs(change) * now.mobility;
+    return glm::length(push) * now.mobility;
 }
 
 }  // namespace

@@ -22,12 +22,13 @@ struct Impact
     std::array<double, 4> weights;  // of the vertices in the closest points then, 1 in sum for A and -1 for B
     double target;                  // [m] that they are to be apart along the normal at the end
     double impulse = 0;             // so far, along the normal, never negative [m kg]
+    glm::dvec3 drag{0};             // of friction so far [m kg]
 };
 
-// Coulomb's coefficient between layers, and the inverse masses [1/kg], one a vertex.
+// Coulomb's coefficients between layers, and the inverse masses [1/kg], one a vertex.
 struct ImpactTerms
 {
-    double friction;
+    double kinetic, resting;
     std::span<const double> inverse_masses;
 };
 

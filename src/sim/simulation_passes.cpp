@@ -30,8 +30,12 @@ bool follows_the_way(const SimParams& params) { return params.collision >= Colli
 
 LayerSettings layer_settings(const SimParams& params)
 {
-    return {params.thickness, params.friction, params.collision == CollisionLevel::guaranteed, params.culling,
-            params.collision_budget};
+    return {.thickness = params.thickness,
+            .friction = params.friction,
+            .static_friction = params.static_friction,
+            .guaranteed = params.collision == CollisionLevel::guaranteed,
+            .culling = params.culling,
+            .budget_ms = params.collision_budget};
 }
 
 }  // namespace

@@ -152,8 +152,11 @@ Responded respond(const Pose& pose, const std::vector<glm::vec4>& end, bool guar
     ContinuousCollision collision(model, pool);
     Responded result{end, std::vector<glm::vec4>(end.size(), glm::vec4(0)), {}};
     result.counts =
-        collision.respond({pose.positions, result.end, result.velocities, 1.0f / 60},
-                          {.thickness = 0.005f, .friction = 0.2f, .guaranteed = guaranteed, .budget_ms = budget_ms});
+        collision.respond({pose.positions, result.end, result.velocities, 1.0f / 60}, {.thickness = 0.005f,
+                                                                                       .friction = 0.2f,
+                                                                                       .static_friction = 0.3f,
+                                                                                       .guaranteed = guaranteed,
+                                                                                       .budget_ms = budget_ms});
     return result;
 }
 
@@ -271,7 +274,7 @@ TEST(Speculative, foresees_layers_that_near_each_other)
     ThreadPool pool(1);
     ContinuousCollision collision(model, pool);
     std::vector<glm::vec4> velocities(8, glm::vec4(0));
-    const LayerSettings settings{.thickness = 0.005f, .friction = 0, .guaranteed = false};
+    const LayerSettings settings{.thickness = 0.005f, .friction = 0, .static_friction = 0, .guaranteed = false};
     EXPECT_TRUE(collision.foresee(pose.positions, velocities, 1.0f / 60, settings).contacts.empty());
     for (std::size_t v = 4; v < 8; ++v) velocities[v].z = -3;
     const auto contacts = collision.foresee(pose.positions, velocities, 1.0f / 60, settings).contacts;

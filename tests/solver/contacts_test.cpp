@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -164,6 +165,46 @@ TEST(ContactColours, no_colour_has_a_vertex_twice_and_none_is_lost)
         }
     }
     EXPECT_EQ(numbers.size(), contacts.size());
+}
+
+// Layers at rest quiver where contacts are answered in another order in every pass.
+TEST(ContactColours, few_contacts_that_come_or_go_leave_the_others_as_they_were)
+{
+    std::mt19937 random(13);
+    std::vector<LayerContact> contacts;
+    for (int i = 0; i < 2000; ++i) {  // each vertex in about 16 of them
+        const std::uint32_t a = random() % 496;
+        contacts.push_back(
+            {{a, a + 1 + random() % 4, a + 5 + random() % 4, a + 9 + random() % 4}, {0, 0, 1}, 0, 0.01f});
+        contacts.back().normal.x = float(i);
+    }
+    const auto colours_of = [](std::span<const LayerContact> some) {
+        const ContactColours colours = colour_contacts(some, 512);
+        std::map<float, std::uint32_t> colour_of;
+        for (std::uint32_t colour = 0; colour + 1 < colours.starts.size(); ++colour)
+            for (std::uint32_t i = colours.starts[colour]; i < colours.starts[colour + 1]; ++i)
+                colour_of[colours.contacts[i].normal.x] = colour;
+        return colour_of;
+    };
+    const auto before = colours_of(contacts);
+    for (const std::size_t gone : {0, 700, 1999}) {
+        std::vector<LayerContact> fewer = contacts;
+        fewer.erase(fewer.begin() + std::ptrdiff_t(gone));
+        int changed = 0;
+        for (const auto& [number, colour] : colours_of(fewer)) changed += before.at(number) != colour;
+        EXPECT_LT(changed, 20) << gone;
+    }
+}
+
+TEST(ContactColours, none_is_empty)
+{
+    std::vector<LayerContact> contacts;
+    for (std::uint32_t i = 0; i < 5; ++i) contacts.push_back({{i, i + 10, i + 20, i + 30}, {0, 0, 1}, 0, 0.01f});
+    const ContactColours colours = colour_contacts(contacts, 40);
+    for (std::size_t colour = 0; colour + 1 < colours.starts.size(); ++colour)
+        EXPECT_LT(colours.starts[colour], colours.starts[colour + 1]);
+    EXPECT_EQ(colours.starts.back(), 5u);
+    EXPECT_EQ(colour_contacts({}, 40).starts.size(), 1u);
 }
 
 // The least distance over a fine net of points of both sides, which is never below the true one.
