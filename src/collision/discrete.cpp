@@ -15,9 +15,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "collision/pair_sieve.h"
 #include "collision/task_loop.h"
 #include "model/formulas.h"
+#include "model/wide.h"
 
 namespace nuno {
 namespace {
@@ -26,20 +29,70 @@ constexpr float kRounding = 1e-5f;
 
 float length_sq(const glm::vec3& a) { return a.x * a.x + a.y * a.y + a.z * a.z; }
 
-// The pair as a contact, if it is one. One comparison takes the three weights and the distance, without a branch on
-// each.
-void append_contact(const ElementPair& pair, std::span<const glm::vec4> positions, const ContactRange& range,
-                    std::vector<Contact>& contacts)
+// The shared formulas of a point and a face for kLanes pairs at once: a lane computes what formulas::face_foot does.
+#define SHARED_FN static NUNO_WIDE_INLINE
+#define PRECISE
+struct Feet
+{
+    using Real = WideFloat;
+    struct Vec3 : WideVec3
+    {
+        Vec3() = default;
+        NUNO_WIDE_INLINE Vec3(const WideVec3& a) : WideVec3(a) {}
+        NUNO_WIDE_INLINE Vec3(Real x_, Real y_, Real z_) : WideVec3(x_, y_, z_) {}
+        NUNO_WIDE_INLINE explicit Vec3(Real a) : WideVec3(a, a, a) {}
+    };
+#include "shaders/shared/vector.h"
+//
+#include "shaders/shared/point_face.h"
+};
+#undef SHARED_FN
+#undef PRECISE
+
+NUNO_WIDE_INLINE Feet::Vec3 gathered(const ElementPair* const (&pairs)[kLanes], int corner,
+                                     std::span<const glm::vec4> positions)
+{
+    float lanes[3][kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const glm::vec4& x = positions[pairs[lane]->vertices[corner]];
+        for (int axis = 0; axis < 3; ++axis) lanes[axis][lane] = x[axis];
+    }
+    return Feet::Vec3(Feet::Real(lanes[0]), Feet::Real(lanes[1]), Feet::Real(lanes[2]));
+}
+
+// Lane by lane whether low <= a <= high; all bits are set where it is.
+NUNO_WIDE_INLINE WideFloat::Bits within(WideFloat a, float low, float high)
+{
+    return WideFloat::Bits(a.lanes >= WideFloat(low).lanes) & WideFloat::Bits(a.lanes <= WideFloat(high).lanes);
+}
+
+// Appends the pairs that are contacts, in their order.
+NUNO_SIMD_CLONES void append_contacts(std::span<const ElementPair> pairs, std::span<const glm::vec4> positions,
+                                      const ContactRange& range, std::vector<Contact>& contacts)
 {
     const float least = -range.edge_tolerance, most = 1.0f + range.edge_tolerance;
-    const Float4 lowest = {least, least, least, 0}, highest = {most, most, most, range.thickness};
-    const auto x = [&](int i) { return positions[pair.vertices[i]]; };
-    const formulas::FaceFoot foot = formulas::face_foot(x(0), x(1), x(2), x(3));
-    const float distance = std::abs(foot.distance);
-    const Float4 found = {foot.weights.x, foot.weights.y, foot.weights.z, distance};
-    if (lane_bits((found >= lowest) & (found <= highest)) != 0xf) return;
-    contacts.push_back(
-        {pair.vertices.x, pair.face, foot.weights, foot.distance < 0 ? -foot.normal : foot.normal, distance});
+    for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
+        const std::size_t count = std::min<std::size_t>(kLanes, pairs.size() - first);
+        const ElementPair* eight[kLanes];  // where fewer are left the last is repeated
+        for (std::size_t lane = 0; lane < kLanes; ++lane) eight[lane] = &pairs[first + std::min(lane, count - 1)];
+        const Feet::FaceFoot foot = Feet::face_foot(gathered(eight, 0, positions), gathered(eight, 1, positions),
+                                                    gathered(eight, 2, positions), gathered(eight, 3, positions));
+        const WideFloat::Bits found = within(foot.weights.x, least, most) & within(foot.weights.y, least, most) &
+                                      within(foot.weights.z, least, most) &
+                                      within(foot.distance, -range.thickness, range.thickness);
+        std::uint32_t bits[kLanes];
+        std::memcpy(bits, &found, sizeof bits);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            if (bits[lane] == 0) continue;
+            const auto at = [lane](const Feet::Vec3& a) {
+                return glm::vec3(a.x.lanes[lane], a.y.lanes[lane], a.z.lanes[lane]);
+            };
+            const float distance = foot.distance.lanes[lane];
+            const glm::vec3 normal = at(foot.normal);
+            contacts.push_back({eight[lane]->vertices.x, eight[lane]->face, at(foot.weights),
+                                distance < 0 ? -normal : normal, std::abs(distance)});
+        }
+    }
 }
 
 }  // namespace
@@ -69,10 +122,12 @@ std::span<const Contact> ContactSearch::find(const ElementQuery& query, int task
         Task task = std::move(tasks_[static_cast<std::size_t>(number)]);
         task.contacts.clear();
         task.pairs_tested = 0;
-        query.run(number, [&](const ElementPair& pair) {
-            ++task.pairs_tested;
-            append_contact(pair, positions, range, task.contacts);
+        PairBatches batches([&](PairKind, std::span<const ElementPair> pairs) {
+            task.pairs_tested += pairs.size();
+            append_contacts(pairs, positions, range, task.contacts);
         });
+        query.run(number, [&](const ElementPair& pair) { batches.add(pair); });
+        batches.finish();
         tasks_[static_cast<std::size_t>(number)] = std::move(task);
     });
 

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "collision/face_elements.h"
+#include "collision/kept_pairs.h"
 #include "collision/swept_elements.h"
 #include "collision/tree/face_tree.h"
 #include "core/thread_pool.h"
@@ -29,7 +30,8 @@ class ElementQuery
 
     // Begins a query of what comes as near as the settings ask on the way of the poses, which must stay as they are
     // until the last task is done; returns the number of tasks. What the tasks are does not depend on the number of
-    // threads.
+    // threads. Where the cloth has hardly moved since a query that asked for the same, that one's pairs are gone
+    // through once more: the order of pairs, and which of those that need not be found are, depends on earlier queries.
     int begin(const Poses& poses, const TreeSettings& settings, ThreadPool& pool);
     // Calls body(const ElementPair&) for the pairs of one task, in a fixed order; each pair is in one task, once.
     // Different tasks may run on different threads.
@@ -38,13 +40,29 @@ class ElementQuery
 
     // Pairs of elements of faces that share a vertex which the query leaves out, for they are proven apart.
     std::uint64_t near_pairs_culled() const;
+    // Queries so far that went through the pairs of an earlier one.
+    std::uint64_t queries_skipped() const { return queries_skipped_; }
 
   private:
     static constexpr std::uint32_t kNearFaces = 512;  // of a task
+    static constexpr std::size_t kKeptPairs = 4096;   // likewise
+    static constexpr std::size_t kFacePairs = 64;     // looked at together
+    KeptPairs& kept_for(const TreeSettings& settings);
+    void keep_pairs(KeptPairs& kept, ThreadPool& pool);
+    int kept_tasks() const
+    {
+        return static_cast<int>((all_kept_[kept_last_].pairs.size() + kKeptPairs - 1) / kKeptPairs);
+    }
     std::size_t near_tasks() const
     {
         return tree_.is_proven_apart() ? 0 : (elements_.faces().size() + kNearFaces - 1) / kNearFaces;
     }
+    template <class Body>
+    void run_kept(std::size_t first_pair, const Body& body) const;
+    template <class Body>
+    void run_vertex_faces(std::span<const FacePair> faces, const Body& body) const;
+    // All vertices of the one that may meet the other, of at most kFacePairs; returns their number.
+    std::size_t find_vertex_faces(std::span<const FacePair> faces, std::span<ElementPair> found) const;
     template <class Body>
     void run_near(std::uint32_t first_face, const Body& body) const;
     template <class Body>
@@ -52,75 +70,20 @@ class ElementQuery
     template <class Body>
     void run_faces(FacePair faces, const Body& body) const;
 
+    ElementKinds kinds_;
     FaceElements elements_;
     NearPairs near_;  // of faces that share a vertex
     FaceTree tree_;
     SweptElements swept_;
+
+    std::array<KeptPairs, 2> all_kept_;  // callers take turns in asking for two things
+    std::size_t kept_last_ = 0;          // of them, of this query
+    bool from_kept_ = false;             // whether it goes through those pairs, not through the tree's
+    std::vector<std::vector<ElementPair>> kept_of_task_;
+    float most_margin_;  // [m]
+    std::uint64_t queries_skipped_ = 0;
 };
 
-template <class Body>
-void ElementQuery::run(int task, const Body& body) const
-{
-    const auto number = static_cast<std::size_t>(task);
-    if (number < near_tasks()) return run_near(static_cast<std::uint32_t>(number) * kNearFaces, body);
-    for (const FacePair faces : tree_.pairs()[number - near_tasks()])
-        if (swept_.may_meet(swept_.face(faces.a), swept_.face(faces.b))) run_faces(faces, body);
-}
-
-template <class Body>
-void ElementQuery::run_near(std::uint32_t first_face, const Body& body) const
-{
-    const std::uint32_t end = std::min(first_face + kNearFaces, static_cast<std::uint32_t>(elements_.faces().size()));
-    for (std::uint32_t face = first_face; face < end; ++face) {
-        if (tree_.is_apart_from_neighbours(face)) continue;
-        for (const ElementPair& pair : near_.of(face)) {
-            const glm::uvec4& v = pair.vertices;
-            const bool may_meet = pair.kind == PairKind::vertex_face
-                                      ? swept_.may_meet(swept_.vertex(v.x), swept_.face(pair.face))
-                                      : swept_.may_meet(swept_.edge({v.x, v.y}), swept_.edge({v.z, v.w}));
-            if (may_meet) body(pair);
-        }
-    }
-}
-
-template <class Body>
-void ElementQuery::run_vertices(std::uint32_t from, std::uint32_t to, const Body& body) const
-{
-    const glm::uvec3& face = elements_.faces()[to];
-    for (const std::uint32_t v : elements_.owned(from).vertices)
-        if (v != FaceElements::kNone && swept_.may_meet(swept_.vertex(v), swept_.face(to)))
-            body(ElementPair{PairKind::vertex_face, {v, face.x, face.y, face.z}, to});
-}
-
-// Edges that may meet the other face, with each other.
-template <class Body>
-void ElementQuery::run_faces(FacePair faces, const Body& body) const
-{
-    run_vertices(faces.a, faces.b, body);
-    run_vertices(faces.b, faces.a, body);
-    struct Edge
-    {
-        glm::uvec2 ends;
-        SweptElement sweep;
-    };
-    std::array<Edge, 3> second;
-    int count = 0;
-    for (const glm::uvec2& ends : elements_.owned(faces.b).edges) {
-        if (ends.x == FaceElements::kNone) continue;
-        second[std::size_t(count)] = {ends, swept_.edge(ends)};
-        count += swept_.may_meet(second[std::size_t(count)].sweep, swept_.face(faces.a));
-    }
-    if (count == 0) return;
-    for (const glm::uvec2& ends : elements_.owned(faces.a).edges) {
-        if (ends.x == FaceElements::kNone) continue;
-        const SweptElement sweep = swept_.edge(ends);
-        if (!swept_.may_meet(sweep, swept_.face(faces.b))) continue;
-        for (int i = 0; i < count; ++i) {
-            const Edge& other = second[std::size_t(i)];
-            if (swept_.may_meet(sweep, other.sweep))
-                body(ElementPair{PairKind::edge_edge, {ends.x, ends.y, other.ends.x, other.ends.y}, 0});
-        }
-    }
-}
-
 }  // namespace nuno
+
+#include "collision/element_query_run.h"

@@ -16,11 +16,11 @@ int task_count(std::size_t size) { return static_cast<int>((size + kInTask - 1) 
 
 }  // namespace
 
-void SweptElements::set(const Poses& poses, std::span<const glm::uvec3> faces, float distance, ThreadPool& pool)
+void SweptElements::set(const Poses& poses, float distance, ThreadPool& pool)
 {
     start_ = poses.t0;
+    is_swept_ = poses.is_swept();
     ways_.resize(start_.size());
-    faces_.resize(faces.size());
     std::vector<float> largest(std::size_t(task_count(start_.size())));
     run_tasks(pool, task_count(start_.size()), [&](int task) {
         const std::size_t begin = std::size_t(task) * kInTask, end = std::min(begin + kInTask, start_.size());
@@ -33,15 +33,24 @@ void SweptElements::set(const Poses& poses, std::span<const glm::uvec3> faces, f
         }
         largest[std::size_t(task)] = std::max({size[0], size[1], size[2]});
     });
+    largest_ = largest.empty() ? 0.0f : *std::max_element(largest.begin(), largest.end());
+    set_distance(distance);
+}
+
+// Coordinates of size M are rounded by 2^-24 M at most, in a way, its difference to another, that of two corners, and
+// the sum: less than 12 of these in all.
+void SweptElements::set_distance(float distance)
+{
+    distance_ = all_lanes(distance * (1 + 0x1p-20f) + 0x1p-20f * largest_);
+}
+
+void SweptElements::set_faces(std::span<const glm::uvec3> faces, ThreadPool& pool)
+{
+    faces_.resize(faces.size());
     run_tasks(pool, task_count(faces.size()), [&](int task) {
         const std::size_t begin = std::size_t(task) * kInTask, end = std::min(begin + kInTask, faces.size());
-        for (std::size_t f = begin; f < end; ++f)
-            faces_[f] = hull(hull(vertex(faces[f].x), vertex(faces[f].y)), vertex(faces[f].z));
+        for (std::size_t f = begin; f < end; ++f) faces_[f] = face(faces[f].x, faces[f].y, faces[f].z);
     });
-    // Coordinates of size M are rounded by 2^-24 M at most, in a way, its difference to another, that of two corners,
-    // and the sum: less than 12 of these in all.
-    const float size = largest.empty() ? 0.0f : *std::max_element(largest.begin(), largest.end());
-    distance_ = all_lanes(distance * (1 + 0x1p-20f) + 0x1p-20f * size);
 }
 
 }  // namespace nuno

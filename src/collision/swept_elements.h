@@ -33,9 +33,18 @@ class SweptElements
 {
   public:
     // Elements that come as near as `distance` [m] on the way of the poses may meet.
-    void set(const Poses& poses, std::span<const glm::uvec3> faces, float distance, ThreadPool& pool);
+    void set(const Poses& poses, float distance, ThreadPool& pool);
+    // The same poses with another distance.
+    void set_distance(float distance);
+    // Boxes of all faces at these poses, for face().
+    void set_faces(std::span<const glm::uvec3> faces, ThreadPool& pool);
 
+    bool is_swept() const { return is_swept_; }  // whether there is any motion
     const SweptElement& face(std::uint32_t face) const { return faces_[face]; }
+    SweptElement face(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+    {
+        return hull(hull(vertex(a), vertex(b)), vertex(c));
+    }
     SweptElement vertex(std::uint32_t vertex) const
     {
         const Float4 start = lanes_of(start_[vertex]), way = lanes_of(ways_[vertex]);
@@ -53,10 +62,19 @@ class SweptElements
         return (lane_bits((above <= distance_) & (below <= distance_)) & 7u) == 7u;
     }
 
+    // The same of a vertex and another element where there is no motion.
+    bool is_near(std::uint32_t vertex, const SweptElement& b) const
+    {
+        const Float4 at = lanes_of(start_[vertex]);
+        return (lane_bits((b.lo - at <= distance_) & (at - b.hi <= distance_)) & 7u) == 7u;
+    }
+
   private:
     std::span<const glm::vec4> start_;
     std::vector<glm::vec4> ways_;  // of every vertex
     std::vector<SweptElement> faces_;
+    float largest_ = 0;  // coordinate [m]
+    bool is_swept_ = false;
     Float4 distance_{};  // and what rounding may take away
 };
 

@@ -68,6 +68,7 @@ void Simulation::restart()
     frame_ = 0;
     time_s_ = pending_s_ = 0;
     start_positions_.clear();
+    layers_.reset();  // a query may go through the pairs of the one before
     chosen_passes_ = 1;
 }
 

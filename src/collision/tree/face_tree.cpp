@@ -117,11 +117,11 @@ void FaceTree::refit(const Poses& poses, const TreeSettings& settings, ThreadPoo
         const bool all = prove(poses, settings, pool);
         if (all && sheet_count_ == 1) proven_apart_ = true;
         if (proven_apart_) return;
-        frame_boxes(settings.distance, pool);
+        frame_boxes(settings.distance + settings.margin, pool);
         proven_apart_ = all && sheets_are_apart();
         if (proven_apart_) return;
     } else {
-        frame_boxes(settings.distance, pool);
+        frame_boxes(settings.distance + settings.margin, pool);
     }
     if (settings.culling == Culling::seed) seed_flags_.mark(layout_, faces_, poses.t1, pool);
     make_boxes(pool);
@@ -140,7 +140,7 @@ bool FaceTree::prove(const Poses& poses, const TreeSettings& settings, ThreadPoo
     });
     bool all = proofs_.size() + charts_.size() == sheet_count_;
     for (GridProof& proof : proofs_) {
-        proof.prove(settings.distance, settings.rest_share, *kernels_);
+        proof.prove(settings, *kernels_);
         all = all && proof.holds_for_all();
     }
     for (const RestChart& chart : charts_) all = all && chart.is_apart(poses, faces_, settings, *kernels_, pool);

@@ -10,7 +10,7 @@ namespace nuno {
 namespace {
 
 // The levels from the top down to one of at most so many nodes are opened by the caller alone; then there are tasks.
-constexpr std::size_t kTopNodes = 1024;
+constexpr std::size_t kTopNodes = 256;
 // Tasks differ in length, so there are many more than threads.
 constexpr std::size_t kTasks = 64;
 constexpr std::size_t kLeastPairs = 16, kLeastNodes = 8;

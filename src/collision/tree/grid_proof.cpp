@@ -67,10 +67,12 @@ GridProof::GridProof(const GridPatch& grid, std::span<const glm::vec3> rest_posi
 
 void GridProof::clear() { forget_edges(levels_.front()); }
 
-// Points p, q are at most rest_spacing_ |p - q| apart at rest: lambda above rest_share rest_spacing_ is enough.
-void GridProof::prove(float distance, float rest_share, const TreeKernels& kernels)
+// Points p, q are at most rest_spacing_ |p - q| apart at rest: lambda above rest_share rest_spacing_ is enough, and
+// above that and kCellsApart margin for the margin too.
+void GridProof::prove(const TreeSettings& settings, const TreeKernels& kernels)
 {
-    need_ = std::min(kCellsApart * distance, rest_share * rest_spacing_) * 1.0001f + 1e-6f;
+    const float asked = std::min(kCellsApart * settings.distance, settings.rest_share * rest_spacing_);
+    need_ = (asked + kCellsApart * settings.margin) * 1.0001f + 1e-6f;
     for (std::size_t n = 1; n < levels_.size(); ++n) kernels.merge_edges(levels_[n - 1], levels_[n]);
     kernels.prove_blocks(levels_.back(), need_, kEdgeSlack, flags_.back().data());
     if (holds_for_all()) {

@@ -21,9 +21,9 @@ class GridProof
     void clear();
     // Where bands of rows are added, each by one thread: EdgeLevel of blocks of 4 x 4 cells.
     const EdgeLevel& base() const { return levels_.front(); }
-    // In every window whose flag is set, faces without a common vertex are more than `distance` [m] apart, or more than
-    // `rest_share` of their distance at rest.
-    void prove(float distance, float rest_share, const TreeKernels& kernels);
+    // In every window whose flag is set, faces without a common vertex are more than the distance and the margin apart,
+    // or more than the margin and the share of their distance at rest.
+    void prove(const TreeSettings& settings, const TreeKernels& kernels);
 
     // Cell by cell, what was left open there of a band's rows; each band by one thread, after prove().
     void prove_cells(const BoxFrame& frame, const GridBand& band, const TreeKernels& kernels, RowScratch& rows);

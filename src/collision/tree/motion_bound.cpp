@@ -14,6 +14,8 @@ namespace nuno {
 namespace {
 
 constexpr std::size_t kVerticesInTask = 16384;
+// Of the vertices, those that are looked at where some are enough; odd, so that they lie in all columns of a grid.
+constexpr std::size_t kSomeStep = 17;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Extent
@@ -32,43 +34,66 @@ struct Extent
     }
 };
 
-// Over body(vertex, extent) for all vertices; least and largest do not depend on the order.
-template <class Body>
-Extent extent_of(std::size_t vertex_count, ThreadPool& pool, const Body& body)
+// Of the displacements; least and largest do not depend on the order.
+struct Displaced
 {
-    std::vector<Extent> parts((vertex_count + kVerticesInTask - 1) / kVerticesInTask);
-    share_tasks(pool, static_cast<int>(parts.size()), [&](int task, int) {
-        const std::size_t begin = static_cast<std::size_t>(task) * kVerticesInTask;
-        Extent extent;
-        for (std::size_t v = begin; v < std::min(begin + kVerticesInTask, vertex_count); ++v) body(v, extent);
-        parts[static_cast<std::size_t>(task)] = extent;
-    });
-    Extent all;
-    for (const Extent& part : parts) all.add(part);
-    return all;
+    Extent start, end;
+};
+
+// The diagonal of the box, at most.
+double diagonal(const Extent& moved)
+{
+    const glm::dvec3 lo(moved.lo), hi(moved.hi);
+    // A displacement is rounded by half of 2^-23 of its size.
+    const glm::dvec3 size = glm::max(glm::abs(lo), glm::abs(hi));
+    return glm::length(hi - lo) * (1 + 1e-9) + 2 * 0x1p-23 * (size.x + size.y + size.z);
 }
 
 }  // namespace
 
+void MotionBound::note(const Poses& poses, std::size_t step)
+{
+    step_ = step;
+    start_.clear();
+    end_.clear();
+    for (std::size_t v = 0; v < poses.t0.size(); v += step) {
+        start_.push_back(poses.t0[v]);
+        end_.push_back(poses.t1[v]);
+    }
+}
+
 void MotionBound::note_query(const Poses& poses, float found_within)
 {
-    start_.assign(poses.t0.begin(), poses.t0.end());
+    note(poses, 1);
     found_within_ = found_within;
+}
+
+void MotionBound::note_some(const Poses& poses)
+{
+    note(poses, kSomeStep);
+    found_within_ = -std::numeric_limits<float>::infinity();
 }
 
 double MotionBound::relative_motion(const Poses& poses, ThreadPool& pool) const
 {
     if (start_.empty()) return kInfinity;
-    assert(poses.t0.size() == start_.size() && poses.t1.size() == start_.size());
-    const bool swept = poses.is_swept();
-    const Extent moved = extent_of(start_.size(), pool, [&](std::size_t v, Extent& part) {
-        part.add(poses.t0[v] - start_[v]);
-        if (swept) part.add(poses.t1[v] - start_[v]);
+    assert((poses.t0.size() + step_ - 1) / step_ == start_.size());
+    std::vector<Displaced> parts((start_.size() + kVerticesInTask - 1) / kVerticesInTask);
+    share_tasks(pool, static_cast<int>(parts.size()), [&](int task, int) {
+        const std::size_t begin = static_cast<std::size_t>(task) * kVerticesInTask;
+        Displaced moved;
+        for (std::size_t v = begin; v < std::min(begin + kVerticesInTask, start_.size()); ++v) {
+            moved.start.add(poses.t0[v * step_] - start_[v]);
+            moved.end.add(poses.t1[v * step_] - end_[v]);
+        }
+        parts[static_cast<std::size_t>(task)] = moved;
     });
-    const glm::dvec3 lo(moved.lo), hi(moved.hi);
-    // A displacement is rounded by half of 2^-23 of its size.
-    const glm::dvec3 size = glm::max(glm::abs(lo), glm::abs(hi));
-    return glm::length(hi - lo) * (1 + 1e-9) + 2 * 0x1p-23 * (size.x + size.y + size.z);
+    Displaced all;
+    for (const Displaced& part : parts) {
+        all.start.add(part.start);
+        all.end.add(part.end);
+    }
+    return std::max(diagonal(all.start), diagonal(all.end));
 }
 
 bool MotionBound::covers(const Poses& poses, float distance, ThreadPool& pool) const

@@ -127,7 +127,8 @@ bool RestChart::is_apart(const Poses& poses, std::span<const glm::uvec3> faces, 
             rows[bound][0] =
                 bound / 3 % 2 == 1 ? std::max(rows[bound][0], part[bound]) : std::min(rows[bound][0], part[bound]);
     }
-    const double asked = std::min(double(settings.distance) / least_height_, double(settings.rest_share));
+    const double asked = std::min(double(settings.distance) / least_height_, double(settings.rest_share)) +
+                         double(settings.margin) / least_height_;
     const double need = asked * 1.0001 + 1e-6 / least_height_;
     std::uint8_t flag = 0;
     kernels.prove_blocks(whole, static_cast<float>(need), slack_, &flag);

@@ -31,6 +31,8 @@ struct TreeSettings
     // Culling::sound: of one sheet, faces that stay further apart than this share of their distance at rest need not be
     // found either.
     float rest_share = std::numeric_limits<float>::infinity();
+    // [m] All this with so much room to spare: what is not found is further apart by the margin than it has to be.
+    float margin = 0;
 };
 
 // Two faces whose boxes overlap, a < b, without a common vertex.

@@ -157,6 +157,25 @@ double face_distance(const TreeCase& cloth, const Poses& poses, FacePair pair, d
     return triangle_distance(triangle(pair.a), triangle(pair.b));
 }
 
+double face_elements_distance(const TreeCase& cloth, const Poses& poses, FacePair pair, double t)
+{
+    double least = 1e30;
+    const auto compare = [&](const glm::uvec3& a, const glm::uvec3& b) {
+        const auto triangle = [&](const glm::uvec3& corners) {
+            return Triangle{place(poses, corners.x, t), place(poses, corners.y, t), place(poses, corners.z, t)};
+        };
+        if (!share_vertex(a, b)) least = std::min(least, triangle_distance(triangle(a), triangle(b)));
+    };
+    const glm::uvec3 first = cloth.faces[pair.a], second = cloth.faces[pair.b];
+    for (int i = 0; i < 3; ++i) {
+        compare({first[i], first[i], first[i]}, second);
+        compare({second[i], second[i], second[i]}, first);
+        for (int j = 0; j < 3; ++j)
+            compare({first[i], first[(i + 1) % 3], first[i]}, {second[j], second[(j + 1) % 3], second[j]});
+    }
+    return least;
+}
+
 double element_distance(const TreeCase& cloth, const Poses& poses, double t)
 {
     std::vector<glm::uvec3> elements;  // edges and vertices as faces without area

@@ -49,7 +49,9 @@ std::vector<FacePair> brute_force_pairs(const FaceTree& tree);
 // The least distance of two faces at time t = 0 .. 1 of their way.
 double face_distance(const TreeCase& cloth, const Poses& poses, FacePair pair, double t);
 
-// The least distance, at time t, of a vertex to a face that it is no corner of and of two edges without a common end.
+// The least distance, at time t, of a vertex to a face that it is no corner of and of two edges without a common end:
+// of the two faces, and of the whole cloth.
+double face_elements_distance(const TreeCase& cloth, const Poses& poses, FacePair pair, double t);
 double element_distance(const TreeCase& cloth, const Poses& poses, double t);
 
 }  // namespace nuno
