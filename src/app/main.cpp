@@ -15,6 +15,7 @@
 #include "app/explain_command.h"
 #include "app/list_commands.h"
 #include "app/render_command.h"
+#include "app/stability_command.h"
 #include "app/trade_command.h"
 #include "app/view_command.h"
 #include "core/error.h"
@@ -81,6 +82,12 @@ int run(int argc, char** argv)
     CLI::App* merge_command = program.add_subcommand("merge", "Join the parts of a sweep");
     nuno::add_merge_flags(*merge_command, merge);
     merge_command->callback([&] { status = nuno::run_merge(merge); });
+
+    nuno::StabilityFlags stability;
+    CLI::App* stability_command =
+        program.add_subcommand("stability", "Map where each method is stable, and try the extremes");
+    nuno::add_stability_flags(*stability_command, stability);
+    stability_command->callback([&] { status = nuno::run_stability(stability); });
 
     program.add_subcommand("scenes", "List the scenes")->callback([&] { status = nuno::list_scenes(); });
     bool markdown = false;

@@ -34,8 +34,8 @@ using SweepProgress = std::function<bool(std::size_t done, std::size_t total)>;
 // Measures the points of the shard that the store lacks. Whether all of them are in there now.
 bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& store, const SweepProgress& progress);
 
-// The same on all threads of a pool, for points whose results are no times; they are written in the order of the points,
-// some at once.
+// The same on all threads of a pool, for points whose results are no times; they are written in the order of the
+// points, some at once.
 bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& store, ThreadPool& pool,
                const SweepProgress& progress);
 
