@@ -15,6 +15,10 @@ namespace {
 constexpr double kMotionOfPass = 0.05;
 constexpr int kMostChosenPasses = 16;
 
+// Layers are about at rest where none that may touch moves further in a pass, relative to another, than this share of
+// the thickness.
+constexpr double kSlowApproach = 0.5;
+
 // How far the fastest body goes between two times [m]; turning is not counted.
 double largest_body_motion(const Bodies& bodies, double from_s, double to_s)
 {
@@ -134,7 +138,10 @@ const SpeculativeContacts& Simulation::foresee(FrameStats& stats, float interval
 void Simulation::hand_on_contacts(FrameStats& stats, const SpeculativeContacts& found)
 {
     Stopwatch watch;
-    if (keeps_contacts_ || !found.contacts.empty()) solver_->set_contacts(found.contacts, model_->vertex_count());
+    const bool slow = double(found.largest_approach) <= kSlowApproach * double(params_.thickness);
+    if (keeps_contacts_ || !found.contacts.empty())
+        solver_->set_contacts(found.contacts, model_->vertex_count(),
+                              slow ? ContactOrder::steady : ContactOrder::first_free);
     keeps_contacts_ = !found.contacts.empty();
     stats.stage_ms.upload += watch.lap_ms();
     const auto contact_count = static_cast<std::uint32_t>(found.contacts.size());

@@ -45,7 +45,7 @@ void compile_everything(const Bodies& bodies, bool as_mesh)
         bending.bending_warp = bending.bending_weft = bending.bending_bias = 1e-4f;
         make_solver(model, bodies, bending, pool);
         const auto solver = make_solver(on_no_handle, bodies, params, pool);
-        solver->set_contacts(std::vector<LayerContact>(1), on_no_handle.vertex_count());
+        solver->set_contacts(std::vector<LayerContact>(1), on_no_handle.vertex_count(), ContactOrder::steady);
         if (!method.takes_continuum) continue;
         params.internal_model = InternalModel::continuum;
         params.wind_model = WindModel::aero;

@@ -64,7 +64,7 @@ ClothState slide(const ClothModel& model, const SimParams& params, glm::vec3 vel
     ClothState state = start_state(model, params);
     for (std::size_t v = 3; v < 6; ++v) state.velocities[v] = glm::vec4(velocity, state.velocities[v].w);
     solver->upload(state);
-    solver->set_contacts(resting_contacts(), model.vertex_count());
+    solver->set_contacts(resting_contacts(), model.vertex_count(), ContactOrder::steady);
     for (int k = 0; k < substeps; ++k) {
         solver->step({params, k * double(substep_s(params)), 1});
         solver->keep_contacts(params);
@@ -152,7 +152,7 @@ TEST(ContactColours, no_colour_has_a_vertex_twice_and_none_is_lost)
         const std::uint32_t a = *v++, b = *v++, c = *v++, d = *v;
         contacts.push_back({{a, b, c, d}, {0, 0, 1}, float(i), 0.01f});
     }
-    const ContactColours colours = colour_contacts(contacts, 40);
+    const ContactColours colours = colour_contacts(contacts, 40, ContactOrder::steady);
     ASSERT_EQ(colours.contacts.size(), contacts.size());
     EXPECT_GT(colours.starts.size(), 65u) << "more colours than one mask has bits";
     std::set<float> numbers;
@@ -179,7 +179,7 @@ TEST(ContactColours, few_contacts_that_come_or_go_leave_the_others_as_they_were)
         contacts.back().normal.x = float(i);
     }
     const auto colours_of = [](std::span<const LayerContact> some) {
-        const ContactColours colours = colour_contacts(some, 512);
+        const ContactColours colours = colour_contacts(some, 512, ContactOrder::steady);
         std::map<float, std::uint32_t> colour_of;
         for (std::uint32_t colour = 0; colour + 1 < colours.starts.size(); ++colour)
             for (std::uint32_t i = colours.starts[colour]; i < colours.starts[colour + 1]; ++i)
@@ -200,11 +200,11 @@ TEST(ContactColours, none_is_empty)
 {
     std::vector<LayerContact> contacts;
     for (std::uint32_t i = 0; i < 5; ++i) contacts.push_back({{i, i + 10, i + 20, i + 30}, {0, 0, 1}, 0, 0.01f});
-    const ContactColours colours = colour_contacts(contacts, 40);
+    const ContactColours colours = colour_contacts(contacts, 40, ContactOrder::steady);
     for (std::size_t colour = 0; colour + 1 < colours.starts.size(); ++colour)
         EXPECT_LT(colours.starts[colour], colours.starts[colour + 1]);
     EXPECT_EQ(colours.starts.back(), 5u);
-    EXPECT_EQ(colour_contacts({}, 40).starts.size(), 1u);
+    EXPECT_EQ(colour_contacts({}, 40, ContactOrder::first_free).starts.size(), 1u);
 }
 
 // The least distance over a fine net of points of both sides, which is never below the true one.

@@ -12,6 +12,7 @@
 #include "model/cloth_state.h"
 #include "model/layer_contact.h"
 #include "model/sim_params.h"
+#include "solver/base/contact_colours.h"
 
 namespace nuno {
 
@@ -47,7 +48,8 @@ class ClothSolver
 
     virtual void step(const StepInput& input) = 0;
     // The contacts between layers that keep_contacts keeps from here on, instead of those before.
-    virtual void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count) = 0;
+    virtual void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count,
+                              ContactOrder order) = 0;
     // To call after every substep while there are contacts: moves the vertices that went too far in it.
     virtual void keep_contacts(const SimParams& params) = 0;
     // Waits until what step began is done.

@@ -1,4 +1,4 @@
-// Each contact gets a colour that is free at its four vertices, its own one if that is.
+// Each contact gets a colour that is free at its four vertices, the first one or its own one if that is.
 #include "solver/base/contact_colours.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::uint32_t own_colour(const LayerContact& contact)
 
 }  // namespace
 
-ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count)
+ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count, ContactOrder order)
 {
     std::vector<std::uint32_t> colours(contacts.size()), waiting(contacts.size()), later;
     std::vector<std::uint64_t> used(vertex_count);
@@ -42,7 +42,7 @@ ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint
                 later.push_back(i);
                 continue;
             }
-            const std::uint32_t own = own_colour(contacts[i]);
+            const std::uint32_t own = order == ContactOrder::steady ? own_colour(contacts[i]) : 0;
             const auto free = (own + std::uint32_t(std::countr_one(std::rotr(taken, int(own))))) % kBatch;
             for (int corner = 0; corner < 4; ++corner) used[v[corner]] |= std::uint64_t{1} << free;
             colours[i] = first + free;

@@ -9,6 +9,13 @@
 
 namespace nuno {
 
+// How contacts choose their colours, and so in which order they are answered.
+enum class ContactOrder
+{
+    first_free,  // as they come: along layers that lie upon each other, which carries pushes far
+    steady       // each its own, as nearly as possible: the same order in every pass, which leaves layers at rest alone
+};
+
 struct ContactColours
 {
     std::vector<LayerContact> contacts;  // colour by colour, within one as they came
@@ -16,6 +23,6 @@ struct ContactColours
 };
 
 // Vertices are below `vertex_count`.
-ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count);
+ContactColours colour_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count, ContactOrder order);
 
 }  // namespace nuno

@@ -12,9 +12,9 @@ constexpr int kContactsPerThread = 4096, kGrain = 64;
 
 }  // namespace
 
-void CpuContacts::set(std::span<const LayerContact> contacts, std::span<const glm::vec4> positions)
+void CpuContacts::set(std::span<const LayerContact> contacts, std::span<const glm::vec4> positions, ContactOrder order)
 {
-    colours_ = colour_contacts(contacts, static_cast<std::uint32_t>(positions.size()));
+    colours_ = colour_contacts(contacts, static_cast<std::uint32_t>(positions.size()), order);
     start_.assign(positions.begin(), positions.end());
     active_.resize(contacts.size());
     moved_.assign(positions.size(), 0);

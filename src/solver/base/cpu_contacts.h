@@ -18,7 +18,7 @@ class CpuContacts
 {
   public:
     // Replaces all contacts, to be kept from these positions on: xyz [m], w inverse mass [1/kg], one a vertex.
-    void set(std::span<const LayerContact> contacts, std::span<const glm::vec4> positions);
+    void set(std::span<const LayerContact> contacts, std::span<const glm::vec4> positions, ContactOrder order);
     bool empty() const { return colours_.contacts.empty(); }
 
     // The positions at the end of a substep of `params`: which vertices contacts move from there. They last until the

@@ -52,9 +52,9 @@ GpuContacts::GpuContacts(std::uint32_t vertex_count)
     program_.set(LOCATION_VERTEX_COUNT, static_cast<std::int32_t>(vertex_count));
 }
 
-void GpuContacts::set(std::span<const LayerContact> contacts, const Buffer& positions)
+void GpuContacts::set(std::span<const LayerContact> contacts, const Buffer& positions, ContactOrder order)
 {
-    const ContactColours colours = colour_contacts(contacts, vertex_count_);
+    const ContactColours colours = colour_contacts(contacts, vertex_count_, order);
     colour_count_ = static_cast<int>(colours.starts.size()) - 1;
     if (empty()) return;
     std::vector<ContactRecord> records;

@@ -16,7 +16,7 @@ class GpuContacts
     explicit GpuContacts(std::uint32_t vertex_count);
 
     // Replaces all contacts, to be kept from these positions on.
-    void set(std::span<const LayerContact> contacts, const Buffer& positions);
+    void set(std::span<const LayerContact> contacts, const Buffer& positions, ContactOrder order);
     bool empty() const { return colour_count_ == 0; }
     // Moves `positions`, at the end of a substep of `params`; `new_velocities` are `velocities` with what that gains,
     // and may be the same buffer.

@@ -46,12 +46,12 @@ void GpuSolver::set_vertex(std::uint32_t vertex, glm::vec4 position)
     velocities_[current_].buffer.update(vertex * sizeof position, std::as_bytes(std::span(&at_rest, 1)));
 }
 
-void GpuSolver::set_contacts(std::span<const LayerContact> contacts, std::uint32_t)
+void GpuSolver::set_contacts(std::span<const LayerContact> contacts, std::uint32_t, ContactOrder order)
 {
     if (contacts.empty() && !contacts_) return;
     if (!contacts_) contacts_.emplace(vertex_count_);
     barrier_compute_to_upload();
-    contacts_->set(contacts, positions_[current_].buffer);
+    contacts_->set(contacts, positions_[current_].buffer, order);
 }
 
 void GpuSolver::keep_contacts(const SimParams& params)

@@ -22,7 +22,7 @@ class GpuSolver : public ClothSolver
     void upload_positions(std::span<const glm::vec4> positions) override;
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
-    void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count) override;
+    void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count, ContactOrder order) override;
     void keep_contacts(const SimParams& params) override;
     void finish() override;
     void download_positions(std::span<glm::vec4> positions) override;

@@ -3,11 +3,11 @@
 
 namespace nuno {
 
-void HostSolver::set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count)
+void HostSolver::set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count, ContactOrder order)
 {
     contact_positions_.resize(vertex_count);
     download_positions(contact_positions_);
-    contacts_.set(contacts, contact_positions_);
+    contacts_.set(contacts, contact_positions_, order);
 }
 
 void HostSolver::keep_contacts(const SimParams& params)

@@ -14,7 +14,7 @@ class HostSolver : public ClothSolver
 
     void finish() override {}
     std::uint32_t position_buffer() const override { return 0; }
-    void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count) override;
+    void set_contacts(std::span<const LayerContact> contacts, std::uint32_t vertex_count, ContactOrder order) override;
     void keep_contacts(const SimParams& params) override;
 
   protected:
