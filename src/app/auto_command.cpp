@@ -54,6 +54,12 @@ std::string words_of(const Setting& setting)
     return words;
 }
 
+void refuse_chosen(const CommonFlags& flags)
+{
+    refuse_set(flags, {"method", "substeps", "iterations", "tethers", "backend"},
+               "it is chosen for the error or budget");
+}
+
 // Measures and chooses; what was measured before on this machine is remembered. `forget`: measures all anew.
 AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget)
 {
@@ -87,10 +93,14 @@ void add_promise_flags(CLI::App& command, PromiseFlags& flags)
     command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
 }
 
-bool apply_promise(const PromiseFlags& flags, SceneRun& run, bool quiet)
+bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run, std::optional<int> frames)
 {
     if (!flags.is_given()) return true;
-    const AutoChoice choice = choose_for(run, auto_goal(flags.error_percent, flags.budget_ms), quiet, false);
+    refuse_chosen(common);
+    const bool quiet = common.quiet;
+    AutoChoice choice = choose_for(run, auto_goal(flags.error_percent, flags.budget_ms), quiet, false);
+    if (!frames || *frames - 1 > choice.frames_looked_at)
+        std::erase_if(choice.set, [](const auto& word) { return word.first == "collision"; });
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
     run.params = with_setting(run.params, choice.set);
     run.check_applies = false;
@@ -113,6 +123,7 @@ void add_auto_flags(CLI::App& command, AutoFlags& flags)
 int run_auto(const AutoFlags& flags)
 {
     const AutoGoal goal = auto_goal(flags.promise.error_percent, flags.promise.budget_ms);
+    refuse_chosen(flags.common);
     const SceneRun run = prepare_run(flags.common, flags.common.scene);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget);

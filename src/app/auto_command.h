@@ -19,8 +19,9 @@ struct PromiseFlags
 
 void add_promise_flags(CLI::App& command, PromiseFlags& flags);
 
-// Sets what `nuno auto` chooses for the run, and tells it on stderr. False where the promise cannot be kept.
-bool apply_promise(const PromiseFlags& flags, SceneRun& run, bool quiet);
+// Sets what `nuno auto` chooses for the run, and tells it on stderr. False where the promise cannot be kept. Self-collision
+// is left out only from a run of no more frames than were looked at; without `frames` it may be of any length.
+bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run, std::optional<int> frames);
 
 struct AutoFlags
 {

@@ -80,6 +80,25 @@ SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name)
     return run;
 }
 
+bool sets(const CommonFlags& flags, std::string_view name)
+{
+    const std::pair<std::string_view, const std::string*> named[] = {{"method", &flags.method},
+                                                                     {"backend", &flags.backend},
+                                                                     {"collision", &flags.collision},
+                                                                     {"threads", &flags.threads},
+                                                                     {"seed", &flags.seed}};
+    for (const auto& [flag, value] : named)
+        if (flag == name && !value->empty()) return true;
+    return std::any_of(flags.sets.begin(), flags.sets.end(),
+                       [&](const std::string& set) { return set.substr(0, set.find('=')) == name; });
+}
+
+void refuse_set(const CommonFlags& flags, std::initializer_list<std::string_view> names, std::string_view reason)
+{
+    for (const std::string_view name : names)
+        if (sets(flags, name)) throw Error(fmt::format("{} is set, but {}; leave it out", name, reason));
+}
+
 void apply_size(const std::string& size, ViewParams& view)
 {
     if (size.empty()) return;

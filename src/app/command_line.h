@@ -2,7 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/sim_params.h"
@@ -35,6 +37,12 @@ struct SceneRun
 
 // Error naming the flag, or file and line, where a name or a value is wrong.
 SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name);
+
+// Whether a parameter is set on the command line, by its flag or by --set.
+bool sets(const CommonFlags& flags, std::string_view name);
+
+// Error where one of these parameters is; `reason` says what takes its place.
+void refuse_set(const CommonFlags& flags, std::initializer_list<std::string_view> names, std::string_view reason);
 
 // Stores a size given as WIDTHxHEIGHT pixels; an empty text changes nothing. Error where it is none.
 void apply_size(const std::string& size, ViewParams& view);

@@ -31,7 +31,7 @@ int run_explain(const ExplainFlags& flags)
             fmt::format("--tolerance {}: give percent of the size of the cloth, over 0 and up to 100, such as 1",
                         flags.tolerance_percent));
     SceneRun run = prepare_run(flags.common, flags.common.scene);
-    if (flags.common.threads.empty()) run.params.threads = 1;
+    if (!sets(flags.common, "threads")) run.params.threads = 1;
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     SceneStudy study(std::move(run.scene), run.params);
     watch_interrupts();

@@ -211,7 +211,7 @@ int run_render(const RenderFlags& flags)
     SceneRun run = prepare_run(flags.common, flags.common.scene);
     apply_size(flags.size, run.view);
     const OutputPlan plan = plan_output(flags);
-    const bool kept = apply_promise(flags.promise, run, flags.common.quiet);
+    const bool kept = apply_promise(flags.promise, flags.common, run, flags.frames);
     const Machine machine(plan.draws() || run.params.backend == Backend::gpu);
     Simulation simulation(run.scene, run.params);
     remark(flags, run, machine, simulation);

@@ -34,17 +34,16 @@ std::unique_ptr<Machine> machine_with_gl(bool quiet)
 }
 
 // All that costs and errors depend on.
-Json header_of(const std::deque<SceneStudy>& studies, const Machine& machine, const SimParams& params)
+Json header_of(const std::deque<SceneStudy>& studies, const Machine& machine, const SimParams& params, int repeats)
 {
     Json scenes;
     for (const SceneStudy& study : studies)
-        scenes[study.name()] = params_json(sim_param_table(), &study.asked_params());
+        scenes[study.name()] = {{"text", read_text(study.scene().path)},
+                                {"params", params_json(sim_param_table(), &study.asked_params())}};
     Json about = machine_json(machine.info(ThreadPool(0).thread_count()));
-    return {{"study", "trade"},
-            {"version", fmt::format("{} ({})", kVersion, kCommit)},
-            {"machine", about},
-            {"threads", ThreadPool(params.threads).thread_count()},
-            {"scenes", scenes}};
+    return {{"study", "trade"},   {"version", fmt::format("{} ({})", kVersion, kCommit)},
+            {"machine", about},   {"threads", ThreadPool(params.threads).thread_count()},
+            {"repeats", repeats}, {"scenes", scenes}};
 }
 
 // Tables, pictures and the page, from all points that are there.
@@ -83,15 +82,19 @@ int run_trade(const TradeFlags& flags)
     const bool quiet = flags.common.quiet;
     std::deque<SceneStudy> studies;
     for (const std::string& name : flags.scenes.empty() ? kScenes : flags.scenes) {
+        refuse_set(flags.common, {"method", "substeps", "iterations", "tethers", "backend"}, "trade tries them all");
         SceneRun run = prepare_run(flags.common, name);
-        if (flags.common.threads.empty()) run.params.threads = 1;
+        if (!sets(flags.common, "threads")) run.params.threads = 1;
+        for (const SceneStudy& study : studies)
+            if (study.name() == run.scene.name)
+                throw Error(fmt::format("{}: two scenes of that name; give each once", run.scene.name));
         studies.emplace_back(std::move(run.scene), run.params);
     }
     const fs::path out = flags.out;
     make_writable_directory(out);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const std::unique_ptr<Machine> machine = machine_with_gl(quiet);
-    const Json header = header_of(studies, *machine, studies.front().asked_params());
+    const Json header = header_of(studies, *machine, studies.front().asked_params(), flags.repeats);
     PointStore store(out, header);
     if (!quiet && store.dropped_half_a_line())
         fmt::print(stderr, "trade: half a point at the end of {} is measured anew\n", (out / "points.jsonl").string());
@@ -130,6 +133,7 @@ int run_merge(const MergeFlags& flags)
     if (all.header.value("study", "") != "trade")
         throw Error(fmt::format("{}: its points are of `nuno {}`, which is not to be merged", flags.directories.front(),
                                 all.header.value("study", "?")));
+    write_points(all, flags.out);
     write_report(all.results, all.header, flags.out, flags.quiet);
     return static_cast<int>(ExitCode::done);
 }

@@ -23,7 +23,7 @@ int run_view(const ViewFlags& flags)
     const auto load = [&flags](const std::string& name_or_path) {
         SceneRun run = prepare_run(flags.common, name_or_path);
         apply_size(flags.size, run.view);
-        apply_promise(flags.promise, run, flags.common.quiet);
+        apply_promise(flags.promise, flags.common, run, {});
         return ViewerScene{std::move(run.scene), run.params, run.view};
     };
     if (!flags.common.json.empty()) check_can_write(flags.common.json);

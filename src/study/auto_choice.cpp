@@ -183,6 +183,7 @@ AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& s
     }
     if (level != asked.collision && !best.set.empty()) best.set.emplace_back("collision", level_name(level));
     if (!best.set.empty()) best.set.emplace_back("backend", "cpu");
+    best.frames_looked_at = long_frames(study);
     say_what_is_given_up(about, asked, best);
     return best;
 }

@@ -29,6 +29,7 @@ struct AutoChoice
     double error_share = 0;             // measured over the horizon of the scene
     double ms_per_frame = 0;            // measured, with self-collision
     bool is_kept = false;               // the goal; else this is the nearest to it
+    int frames_looked_at = 0;           // for layers that meet
     int tried = 0, known = 0;           // settings measured now, and before
     std::vector<std::string> given_up;  // what it does without, a sentence each
 };

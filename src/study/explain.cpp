@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "collision/tangle.h"
+#include "core/error.h"
 
 namespace nuno {
 namespace {
@@ -55,7 +56,6 @@ std::vector<Part> parts_of(const SimParams& p, const ClothModel& model)
         {"self-collision", {{"collision", "none"}}, meets},
         {"its level", {{"collision", below()}, {"culling", "sound"}}, p.collision > CollisionLevel::spheres},
         {"friction", {{"friction", "0"}, {"static_friction", "0"}}, p.friction > 0},
-        {"counting what passes through", {{"count_pass_through", "false"}}, p.count_pass_through != 0},
         {"half of the vertices along a side", {{"resolution", number(side / 2)}}, side >= 10}};
 }
 
@@ -104,9 +104,10 @@ Explanation explain_scene(SceneStudy& study, double tolerance_share, const Expla
     const std::vector<Part> parts = parts_of(asked, model);
     Explanation explanation{study.name(), tolerance_share, 0, 0, 0, {}, {}};
     for (const Part& part : parts)
-        if (!part.is_there) explanation.absent.push_back(part.name);
+        if (!part.is_there && part.without.front().first != "resolution") explanation.absent.push_back(part.name);
     // All run as long as the whole does: else means would be those of other times.
     const Trajectory whole = run_trajectory(study.scene(), asked, long_frames(study), {}, kEnoughMs);
+    if (!whole.failure.empty()) throw Error(whole.failure, ExitCode::went_bad);
     explanation.ms_per_frame = whole.median_ms();
     explanation.intersections = intersections_of(whole, study.scene(), asked);
     explanation.strain = whole.largest_strain;

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -77,18 +78,25 @@ StoredPoints read_points(const fs::path& directory)
 PointStore::PointStore(const fs::path& directory, const Json& header) : path_(points_path(directory))
 {
     make_writable_directory(directory);
-    std::error_code status;
-    const bool exists = fs::exists(path_, status);
-    if (exists) stored_ = read_points(directory);
-    const bool is_empty = stored_.header.is_null();
-    if (!is_empty) require_same(stored_.header, header, directory);
-    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    if (file_ < 0 || ::ftruncate(file_, static_cast<off_t>(stored_.whole_bytes)) != 0)
-        throw Error(
-            fmt::format("{}: cannot be written ({}); choose another directory", path_.string(), std::strerror(errno)));
+    const auto fail = [&](const char* reason) {
+        if (file_ >= 0) ::close(file_);
+        throw Error(fmt::format("{}: cannot be written ({}); choose another directory", path_.string(), reason));
+    };
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    if (file_ < 0) fail(std::strerror(errno));
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail("another nuno is writing there");
+    try {
+        stored_ = read_points(directory);
+        if (!stored_.header.is_null()) require_same(stored_.header, header, directory);
+    } catch (const Error&) {
+        ::close(file_);
+        throw;
+    }
+    if (::ftruncate(file_, static_cast<off_t>(stored_.whole_bytes)) != 0) fail(std::strerror(errno));
+    const bool is_new = stored_.header.is_null();
     stored_.header = header;
     resumed_ = stored_.results.size();
-    if (is_empty) write_line(header);
+    if (is_new) write_line(header);
 }
 
 PointStore::~PointStore() { ::close(file_); }
@@ -115,9 +123,11 @@ void PointStore::add(const std::string& id, const Json& result)
     stored_.results[id] = result;
 }
 
-StoredPoints merge_points(const std::vector<fs::path>& directories, const fs::path& out)
+StoredPoints merge_points(std::vector<fs::path> directories, const fs::path& out)
 {
     StoredPoints all;
+    std::error_code status;
+    if (fs::exists(points_path(out), status)) directories.push_back(out);
     for (const fs::path& directory : directories) {
         const StoredPoints part = read_points(directory);
         if (part.header.is_null()) throw Error(directory.string() + ": has no points; run its part of the sweep first");
@@ -130,11 +140,15 @@ StoredPoints merge_points(const std::vector<fs::path>& directories, const fs::pa
                                         directory.string(), id));
         }
     }
-    std::string text = all.header.dump() + "\n";
-    for (const auto& [id, result] : all.results) text += Json{{"id", id}, {"result", result}}.dump() + "\n";
-    make_writable_directory(out);
-    write_whole(points_path(out), text);
     return all;
+}
+
+void write_points(const StoredPoints& points, const fs::path& directory)
+{
+    std::string text = points.header.dump() + "\n";
+    for (const auto& [id, result] : points.results) text += Json{{"id", id}, {"result", result}}.dump() + "\n";
+    make_writable_directory(directory);
+    write_whole(points_path(directory), text);
 }
 
 }  // namespace nuno

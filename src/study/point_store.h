@@ -25,8 +25,8 @@ StoredPoints read_points(const std::filesystem::path& directory);
 class PointStore
 {
   public:
-    // Opens or begins directory/points.jsonl. Error where the points in there have another header: they would not be
-    // comparable.
+    // Opens or begins directory/points.jsonl, and locks it against other processes. Error where one has it, or where the
+    // points in there have another header: they would not be comparable.
     PointStore(const std::filesystem::path& directory, const nlohmann::ordered_json& header);
     ~PointStore();
     PointStore(const PointStore&) = delete;
@@ -49,8 +49,11 @@ class PointStore
     int file_ = -1;
 };
 
-// All points of these directories, which must have one header; written to `out` as one store. Error where they differ
-// or two have another result for one point.
-StoredPoints merge_points(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& out);
+// All points of these directories, and of `out` where it has some; they must have one header. Error where they differ or
+// two have another result for one point.
+StoredPoints merge_points(std::vector<std::filesystem::path> directories, const std::filesystem::path& out);
+
+// Writes them as one store.
+void write_points(const StoredPoints& points, const std::filesystem::path& directory);
 
 }  // namespace nuno

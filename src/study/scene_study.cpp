@@ -117,7 +117,8 @@ void SceneStudy::find_horizon()
     const int shortest = frames_of(kShortestHorizon_s, params_);
     SceneClass& found = *class_;
     // Layers that meet later than the shortest horizon end it: each level answers them its own way.
-    if (found.first_contact > shortest) found.frames = std::min(found.frames, found.first_contact - 1);
+    if (params_.collision != CollisionLevel::none && found.first_contact > shortest)
+        found.frames = std::min(found.frames, found.first_contact - 1);
     const bool meets = found.first_contact > 0 && found.first_contact <= found.frames;
     if (!meets) base_.collision = CollisionLevel::none;
     if (params_.collision == CollisionLevel::none) found.first_contact = 0;
@@ -139,11 +140,14 @@ void SceneStudy::find_horizon()
         found.doubt_share = std::max(found.doubt_share, doubt);
     }
     found.frames = frame - 1;
+    if (found.frames < 1) throw Error(other.failure + " (a shifted start of the study)", ExitCode::went_bad);
 
     SimParams finer = exact;
     finer.tolerance = kCheckingTolerance;
     if (finer.substeps > 0) finer.substeps *= 2;
     const Trajectory check = run_trajectory(scene_, finer, found.frames);
+    if (check.frames() < found.frames)
+        throw Error(check.failure + " (the check of the reference of the study)", ExitCode::went_bad);
     found.reference_error_m = error_against(reference_, check, found.frames).rms_m;
 }
 

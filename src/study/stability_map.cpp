@@ -260,7 +260,9 @@ std::vector<MapSummary> summarise(const StabilityMaps& maps, const std::map<std:
                 const auto limit = results.find(limit_id(kind, method, i));
                 if (limit == results.end()) continue;
                 ++summary.limits;
-                summary.deviation = std::max(summary.deviation, std::abs(limit->second["deviation"].get<double>()));
+                const Json& deviation = limit->second["deviation"];
+                const bool is_number = deviation.is_number() && std::isfinite(deviation.get<double>());
+                summary.deviation = std::max(summary.deviation, is_number ? std::abs(deviation.get<double>()) : 1.0);
             }
         }
     return summaries;

@@ -111,6 +111,10 @@ TEST(Auto, the_command_prints_words_that_render_takes)
                                           {cache});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_THAT(run.err, HasSubstr(found.out.substr(0, found.out.find('\n'))));
+    const ProgramResult refused =
+        run_program({"render", "seed", "--error", "3", "--method", "vbd", "--no-images"}, {cache});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("method is set"));
     EXPECT_EQ(run_program({"auto", "seed", "--error", "0"}).exit_code, 2);
     EXPECT_EQ(run_program({"auto", "seed"}).exit_code, 2);
 }

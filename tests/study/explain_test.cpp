@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
+
 namespace nuno {
 namespace {
 
@@ -57,6 +59,20 @@ TEST(Explain, a_change_below_the_tolerance_does_not_matter)
     EXPECT_THAT(setting_text(part_of(lax, "wind").set), testing::HasSubstr("wind_strength=0"));
     EXPECT_THAT(explain_table(lax), testing::HasSubstr("wind"));
     EXPECT_EQ(explain_json(lax)["parts"].size(), lax.parts.size());
+}
+
+TEST(Explain, a_scene_that_goes_bad_is_told_to)
+{
+    EXPECT_THAT(
+        [] {
+            explain_small("seed", 20,
+                          {{"resolution", "9"},
+                           {"method", "explicit_euler"},
+                           {"substeps", "1"},
+                           {"structural_stiffness", "1000000"}},
+                          1.0);
+        },
+        testing::ThrowsMessage<Error>(testing::HasSubstr("no longer finite")));
 }
 
 }  // namespace

@@ -108,10 +108,11 @@ TEST(Sweep, parts_join_to_the_whole_whatever_their_order)
         EXPECT_TRUE(run_sweep(squares(8, measured), {k, 3}, store, go_on));
     }
     EXPECT_EQ(measured, 8);
-    const auto whole = merge_points(parts, directory.path() / "a").results;
-    EXPECT_EQ(whole.size(), 8u);
+    const StoredPoints whole = merge_points(parts, directory.path() / "a");
+    EXPECT_EQ(whole.results.size(), 8u);
+    write_points(whole, directory.path() / "a");
     std::swap(parts[0], parts[2]);
-    merge_points(parts, directory.path() / "b");
+    write_points(merge_points(parts, directory.path() / "b"), directory.path() / "b");
     EXPECT_EQ(read_text(directory.path() / "a/points.jsonl"), read_text(directory.path() / "b/points.jsonl"));
 }
 
@@ -133,6 +134,26 @@ TEST(Sweep, parts_that_disagree_are_not_joined)
             merge_points({a, directory.path() / "none"}, directory.path() / "d");
         },
         ThrowsMessage<Error>(HasSubstr("none")));
+}
+
+TEST(Sweep, joining_keeps_what_is_there_and_refuses_to_mix_it)
+{
+    const TemporaryDirectory directory;
+    const fs::path a = directory.path() / "a", b = directory.path() / "b", c = directory.path() / "c";
+    PointStore(a, kHeader).add("x", {{"value", 1}});
+    PointStore(b, kHeader).add("y", {{"value", 2}});
+    PointStore(c, {{"study", "cubes"}, {"version", "1"}}).add("z", {{"value", 3}});
+    EXPECT_EQ(merge_points({a}, b).results.size(), 2u);
+    const std::string before = read_text(c / "points.jsonl");
+    EXPECT_THAT([&] { merge_points({a, b}, c); }, ThrowsMessage<Error>(HasSubstr("study")));
+    EXPECT_EQ(read_text(c / "points.jsonl"), before);
+}
+
+TEST(Sweep, a_directory_that_another_process_writes_to_is_refused)
+{
+    const TemporaryDirectory directory;
+    const PointStore first(directory.path(), kHeader);
+    EXPECT_THAT([&] { PointStore(directory.path(), kHeader); }, ThrowsMessage<Error>(HasSubstr("another nuno")));
 }
 
 TEST(Sweep, a_shard_is_a_part_of_a_whole)
