@@ -138,12 +138,10 @@ const SpeculativeContacts& Simulation::foresee(FrameStats& stats, float interval
 void Simulation::hand_on_contacts(FrameStats& stats, const SpeculativeContacts& found)
 {
     Stopwatch watch;
-    // What contacts let through in another order, impulses answer; but at `speculative` it stays.
-    const bool steady =
-        follows_the_way(params_) || double(found.largest_approach) <= kSlowApproach * double(params_.thickness);
+    const bool slow = double(found.largest_approach) <= kSlowApproach * double(params_.thickness);
     if (keeps_contacts_ || !found.contacts.empty())
         solver_->set_contacts(found.contacts, model_->vertex_count(),
-                              steady ? ContactOrder::steady : ContactOrder::first_free);
+                              slow ? ContactOrder::steady : ContactOrder::first_free);
     keeps_contacts_ = !found.contacts.empty();
     stats.stage_ms.upload += watch.lap_ms();
     const auto contact_count = static_cast<std::uint32_t>(found.contacts.size());
