@@ -76,7 +76,7 @@ AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, boo
     PointStore store(directory, header);
     watch_interrupts();
     std::optional<Progress> progress;
-    const AutoChoice choice = choose_setting(study, goal, store, [&](int done, int total) {
+    AutoChoice choice = choose_setting(study, goal, store, [&](int done, int total) {
         if (!progress) progress.emplace("auto", total, quiet);
         progress->show(done);
         return !interrupted();

@@ -29,8 +29,6 @@ struct Part
     bool is_there;
 };
 
-std::string number(double value) { return fmt::format("{:g}", value); }
-
 std::vector<Part> parts_of(const SimParams& p, const ClothModel& model)
 {
     const bool raw = p.internal_model == InternalModel::springs, meets = p.collision != CollisionLevel::none;
@@ -56,7 +54,7 @@ std::vector<Part> parts_of(const SimParams& p, const ClothModel& model)
         {"self-collision", {{"collision", "none"}}, meets},
         {"its level", {{"collision", below()}, {"culling", "sound"}}, p.collision > CollisionLevel::spheres},
         {"friction", {{"friction", "0"}, {"static_friction", "0"}}, p.friction > 0},
-        {"half of the vertices along a side", {{"resolution", number(side / 2)}}, side >= 10}};
+        {"half of the vertices along a side", {{"resolution", std::to_string(side / 2)}}, side >= 10}};
 }
 
 glm::dvec3 mean_centre(const Trajectory& run)

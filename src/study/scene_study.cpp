@@ -103,7 +103,7 @@ const SceneClass& SceneStudy::scene_class()
     const ClothModel model = build_cloth_model(make_sheets(scene_, params_), params_.mass_lumping);
     class_->size_m = cloth_size(model);
     class_->particles = model.vertex_count();
-    class_->frames = frames_of(kLongestHorizon_s, params_);
+    class_->frames = frames_of(kLongestHorizon, params_);
     class_->first_contact = layers_meet(scene_, params_, class_->frames);
     SimParams swept = params_;
     swept.method = Method::xpbd;
@@ -114,7 +114,7 @@ const SceneClass& SceneStudy::scene_class()
 
 void SceneStudy::find_horizon()
 {
-    const int shortest = frames_of(kShortestHorizon_s, params_);
+    const int shortest = frames_of(kShortestHorizon, params_);
     SceneClass& found = *class_;
     // Layers that meet later than the shortest horizon end it: each level answers them its own way.
     if (params_.collision != CollisionLevel::none && found.first_contact > shortest)

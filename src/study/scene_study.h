@@ -14,7 +14,7 @@ namespace nuno {
 // any run, leads elsewhere; once that is this share of the size of the cloth and more, the errors of settings are lost
 // in it, and only statistics of ensembles say something.
 inline constexpr double kMostDoubt = 1e-3;
-inline constexpr double kLongestHorizon_s = 1.5, kShortestHorizon_s = 0.2;
+inline constexpr double kLongestHorizon = 1.5, kShortestHorizon = 0.2;  // [s]
 
 struct SceneClass
 {

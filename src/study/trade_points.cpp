@@ -211,7 +211,7 @@ std::vector<Setting> each(std::string name, const std::vector<std::string>& valu
 std::string setting_text(const Setting& setting)
 {
     std::string text;
-    for (const auto& [name, value] : setting) text += (text.empty() ? "" : " ") + name + "=" + value;
+    for (const auto& [name, value] : setting) text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
     return text;
 }
 
