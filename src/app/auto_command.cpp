@@ -7,7 +7,7 @@
 
 #include "app/interrupt.h"
 #include "app/machine.h"
-#include "app/progress.h"
+#include "app/sweep_flags.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
@@ -46,14 +46,6 @@ std::string named(const Json& header)
     return fmt::format("{:016x}", std::hash<std::string>{}(header["scene"].dump() + header["params"].dump()));
 }
 
-std::string words_of(const Setting& setting)
-{
-    std::string words;
-    for (const auto& [name, value] : setting)
-        words += fmt::format("{}--set {}={}", words.empty() ? "" : " ", name, value);
-    return words;
-}
-
 void refuse_chosen(const CommonFlags& flags)
 {
     refuse_set(flags, {"method", "substeps", "iterations", "tethers", "backend"},
@@ -74,13 +66,7 @@ AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, boo
         if (is_stale) fs::remove(directory / "points.jsonl", status);
     }
     PointStore store(directory, header);
-    watch_interrupts();
-    std::optional<Progress> progress;
-    AutoChoice choice = choose_setting(study, goal, store, [&](int done, int total) {
-        if (!progress) progress.emplace("auto", total, quiet);
-        progress->show(done);
-        return !interrupted();
-    });
+    AutoChoice choice = choose_setting(study, goal, store, InterruptibleProgress("auto", quiet));
     if (interrupted()) throw Error("auto: interrupted; what was measured is remembered", ExitCode::interrupted);
     return choice;
 }
@@ -104,7 +90,7 @@ bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRu
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
     run.params = with_setting(run.params, choice.set);
     run.check_applies = false;
-    if (!quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, words_of(choice.set));
+    if (!quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, setting_text(choice.set, "--set "));
     if (!quiet)
         for (const std::string& sentence : choice.given_up)
             fmt::print(stderr, "{}: given up: {}\n", run.scene.name, sentence);
@@ -128,16 +114,14 @@ int run_auto(const AutoFlags& flags)
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget);
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
-    fmt::print("{}\n", words_of(choice.set));
+    fmt::print("{}\n", setting_text(choice.set, "--set "));
     fmt::print("error {:.2g} % of the size of the cloth, {:.3g} ms a frame; {} settings measured, {} remembered\n",
                100 * choice.error_share, choice.ms_per_frame, choice.tried, choice.known);
     for (const std::string& sentence : choice.given_up) fmt::print("given up: {}\n", sentence);
     if (!choice.is_kept) fmt::print("nuno: {}{}\n", run.scene.name, kNotKept);
     if (!flags.common.json.empty()) {
-        Json set;
-        for (const auto& [name, value] : choice.set) set[name] = value;
         const Json report{{"scene", run.scene.name},
-                          {"set", set},
+                          {"set", setting_json(choice.set)},
                           {"error_share", choice.error_share},
                           {"ms_per_frame", choice.ms_per_frame},
                           {"kept", choice.is_kept},

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/interrupt.h"
-#include "app/progress.h"
+#include "app/sweep_flags.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "study/explain.h"
@@ -34,14 +33,8 @@ int run_explain(const ExplainFlags& flags)
     if (!sets(flags.common, "threads")) run.params.threads = 1;
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     SceneStudy study(std::move(run.scene), run.params);
-    watch_interrupts();
-    std::optional<Progress> progress;
-    const Explanation explanation = explain_scene(study, flags.tolerance_percent / 100, [&](int done, int total) {
-        if (!progress) progress.emplace("explain", total, flags.common.quiet);
-        progress->show(done);
-        return !interrupted();
-    });
-    progress.reset();
+    const Explanation explanation =
+        explain_scene(study, flags.tolerance_percent / 100, InterruptibleProgress("explain", flags.common.quiet));
     fmt::print("{}", explain_table(explanation));
     if (!flags.common.json.empty()) write_whole(flags.common.json, explain_json(explanation).dump(1) + "\n");
     return static_cast<int>(interrupted() ? ExitCode::interrupted : ExitCode::done);

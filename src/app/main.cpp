@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -39,6 +40,23 @@ std::string usage_message(const CLI::App& program, int argc, char** argv, const 
     return fmt::format("nuno: {}; `nuno --help` and `nuno COMMAND --help` list what is possible\n", error.what());
 }
 
+template <class Flags>
+struct CommandFunctions
+{
+    void (*add_flags)(CLI::App&, Flags&);
+    int (*run)(const Flags&);
+};
+
+// A command with flags of its own; its exit code goes to `status`.
+template <class Flags>
+void add_command(CLI::App& program, const char* name, const char* help, CommandFunctions<Flags> functions, int& status)
+{
+    const auto flags = std::make_shared<Flags>();
+    CLI::App* command = program.add_subcommand(name, help);
+    functions.add_flags(*command, *flags);
+    command->callback([flags, functions, &status] { status = functions.run(*flags); });
+}
+
 int run(int argc, char** argv)
 {
     CLI::App program("nuno: cloth in real time on OpenGL 4.3, in a window and without one", "nuno");
@@ -48,47 +66,21 @@ int run(int argc, char** argv)
         [&](const CLI::App*, const CLI::Error& error) { return usage_message(program, argc, argv, error); });
     int status = 0;
 
-    nuno::ViewFlags view;
-    CLI::App* view_command = program.add_subcommand("view", "Open the window on a scene");
-    nuno::add_view_flags(*view_command, view);
-    view_command->callback([&] { status = nuno::run_view(view); });
-
-    nuno::RenderFlags render;
-    CLI::App* render_command = program.add_subcommand("render", "Write frames of a scene without a display");
-    nuno::add_render_flags(*render_command, render);
-    render_command->callback([&] { status = nuno::run_render(render); });
-
-    nuno::CompareFlags compare;
-    CLI::App* compare_command = program.add_subcommand("compare", "Compare CPU and GPU: times and agreement");
-    nuno::add_compare_flags(*compare_command, compare);
-    compare_command->callback([&] { status = nuno::run_compare(compare); });
-
-    nuno::AutoFlags automatic;
-    CLI::App* auto_command = program.add_subcommand("auto", "Find the cheapest setting that keeps a promise");
-    nuno::add_auto_flags(*auto_command, automatic);
-    auto_command->callback([&] { status = nuno::run_auto(automatic); });
-
-    nuno::ExplainFlags explain;
-    CLI::App* explain_command = program.add_subcommand("explain", "Say what a scene needs, and what each part costs");
-    nuno::add_explain_flags(*explain_command, explain);
-    explain_command->callback([&] { status = nuno::run_explain(explain); });
-
-    nuno::TradeFlags trade;
-    CLI::App* trade_command = program.add_subcommand("trade", "Measure speed against accuracy, and what to pick");
-    nuno::add_trade_flags(*trade_command, trade);
-    trade_command->callback([&] { status = nuno::run_trade(trade); });
-
-    nuno::MergeFlags merge;
-    CLI::App* merge_command = program.add_subcommand("merge", "Join the parts of a sweep");
-    nuno::add_merge_flags(*merge_command, merge);
-    merge_command->callback([&] { status = nuno::run_merge(merge); });
-
-    nuno::StabilityFlags stability;
-    CLI::App* stability_command =
-        program.add_subcommand("stability", "Map where each method is stable, and try the extremes");
-    nuno::add_stability_flags(*stability_command, stability);
-    stability_command->callback([&] { status = nuno::run_stability(stability); });
-
+    using namespace nuno;
+    add_command<ViewFlags>(program, "view", "Open the window on a scene", {add_view_flags, run_view}, status);
+    add_command<RenderFlags>(program, "render", "Write frames of a scene without a display",
+                             {add_render_flags, run_render}, status);
+    add_command<CompareFlags>(program, "compare", "Compare CPU and GPU: times and agreement",
+                              {add_compare_flags, run_compare}, status);
+    add_command<AutoFlags>(program, "auto", "Find the cheapest setting that keeps a promise",
+                           {add_auto_flags, run_auto}, status);
+    add_command<ExplainFlags>(program, "explain", "Say what a scene needs, and what each part costs",
+                              {add_explain_flags, run_explain}, status);
+    add_command<TradeFlags>(program, "trade", "Measure speed against accuracy, and what to pick",
+                            {add_trade_flags, run_trade}, status);
+    add_command<MergeFlags>(program, "merge", "Join the parts of a sweep", {add_merge_flags, run_merge}, status);
+    add_command<StabilityFlags>(program, "stability", "Map where each method is stable, and try the extremes",
+                                {add_stability_flags, run_stability}, status);
     program.add_subcommand("scenes", "List the scenes")->callback([&] { status = nuno::list_scenes(); });
     bool markdown = false;
     CLI::App* params_command = program.add_subcommand("params", "List the parameters: default, range, unit");

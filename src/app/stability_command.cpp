@@ -4,15 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
-#include <optional>
 
-#include "app/interrupt.h"
-#include "app/machine.h"
-#include "app/progress.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
+#include "sim/run_recorder.h"
 #include "study/stability_report.h"
 
 namespace nuno {
@@ -31,7 +27,7 @@ Json header_of(const std::vector<std::pair<Scene, SimParams>>& runs, MapSize siz
     for (const auto& [scene, asked] : runs) {
         SimParams params = asked;
         params.threads = 0;
-        scenes[scene.name] = params_json(sim_param_table(), &params);
+        scenes[scene.name] = {{"text", read_text(scene.path)}, {"params", params_json(sim_param_table(), &params)}};
     }
     return {{"study", "stability"},
             {"version", fmt::format("{} ({})", kVersion, kCommit)},
@@ -50,9 +46,8 @@ std::vector<std::pair<Scene, SimParams>> runs_of(const StabilityFlags& flags)
             throw Error(fmt::format(
                 "{}: has a sheet that is a mesh, whose size cannot be chosen; stability maps need scenes of grids",
                 run.scene.name));
-        const auto is_set = [](const std::string& set) { return set.starts_with("resolution="); };
-        if (std::none_of(flags.common.sets.begin(), flags.common.sets.end(), is_set)) run.params.resolution = kSide;
-        if (flags.common.method.empty()) run.params.method = Method::automatic;
+        if (!sets(flags.common, "resolution")) run.params.resolution = kSide;
+        if (!sets(flags.common, "method")) run.params.method = Method::automatic;
         run.params.backend = Backend::cpu;
         runs.emplace_back(std::move(run.scene), run.params);
     }
@@ -111,38 +106,26 @@ void add_stability_flags(CLI::App& command, StabilityFlags& flags)
 {
     command.add_option("scenes", flags.scenes, "Scenes; none: seed");
     add_common_flags(command, flags.common);
-    command.add_option("--out", flags.out, "Directory for data, pictures and report.html; run again to go on")
-        ->capture_default_str();
-    command.add_option("--shard", flags.shard, "K/N: every Nth point, from the Kth on")->capture_default_str();
+    add_sweep_flags(command, flags.sweep);
     command.add_flag("--coarse", flags.coarse, "Maps of few cells");
 }
 
 int run_stability(const StabilityFlags& flags)
 {
-    const Shard shard = parse_shard(flags.shard);
+    const Shard shard = parse_shard(flags.sweep.shard);
     const bool quiet = flags.common.quiet;
     const MapSize size = flags.coarse ? kCoarse : MapSize{};
     const std::vector<std::pair<Scene, SimParams>> runs = runs_of(flags);
-    const fs::path out = flags.out;
+    const fs::path out = flags.sweep.out;
     make_writable_directory(out);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     std::vector<StabilityScene> scenes = scenes_of(runs, size);
     const Json header = header_of(runs, size);
     PointStore store(out, header);
-    if (!quiet && store.dropped_half_a_line())
-        fmt::print(stderr, "stability: half a point at the end of {} is measured anew\n",
-                   (out / "points.jsonl").string());
-    if (!quiet && store.resumed() > 0) fmt::print(stderr, "stability: {} points are there already\n", store.resumed());
-
-    watch_interrupts();
-    std::optional<Progress> progress;
+    if (!quiet) remark_on_points(store, "stability", out);
     ThreadPool pool(runs.front().second.threads);
-    const bool whole = run_sweep(points_of(runs, scenes), shard, store, pool, [&](std::size_t done, std::size_t total) {
-        if (!progress) progress.emplace("stability", static_cast<int>(total), quiet);
-        progress->show(static_cast<int>(done));
-        return !interrupted();
-    });
-    progress.reset();
+    const bool whole =
+        run_sweep(points_of(runs, scenes), shard, store, pool, InterruptibleProgress("stability", quiet));
     take_results(store.results(), scenes);
     write_report(scenes, header, out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "stability.json"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/sweep_flags.h"
 
 namespace nuno {
 
@@ -13,7 +14,7 @@ struct StabilityFlags
 {
     CommonFlags common;
     std::vector<std::string> scenes;  // none: seed
-    std::string out = "nuno-stability", shard = "1/1";
+    SweepFlags sweep{.out = "nuno-stability"};
     bool coarse = false;
 };
 

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <optional>
 
-#include "app/interrupt.h"
 #include "app/machine.h"
-#include "app/progress.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/version.h"
+#include "study/trade_points.h"
 #include "study/trade_report.h"
 
 namespace nuno {
@@ -68,9 +66,7 @@ void add_trade_flags(CLI::App& command, TradeFlags& flags)
 {
     command.add_option("scenes", flags.scenes, "Scenes; none: seed, hang, flag and twist");
     add_common_flags(command, flags.common);
-    command.add_option("--out", flags.out, "Directory for data, pictures and report.html; run again to go on")
-        ->capture_default_str();
-    command.add_option("--shard", flags.shard, "K/N: every Nth point, from the Kth on")->capture_default_str();
+    add_sweep_flags(command, flags.sweep);
     command.add_option("--repeats", flags.repeats, "Times of a point, of which the least counts")
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
@@ -78,7 +74,7 @@ void add_trade_flags(CLI::App& command, TradeFlags& flags)
 
 int run_trade(const TradeFlags& flags)
 {
-    const Shard shard = parse_shard(flags.shard);
+    const Shard shard = parse_shard(flags.sweep.shard);
     const bool quiet = flags.common.quiet;
     std::deque<SceneStudy> studies;
     for (const std::string& name : flags.scenes.empty() ? kScenes : flags.scenes) {
@@ -90,15 +86,13 @@ int run_trade(const TradeFlags& flags)
                 throw Error(fmt::format("{}: two scenes of that name; give each once", run.scene.name));
         studies.emplace_back(std::move(run.scene), run.params);
     }
-    const fs::path out = flags.out;
+    const fs::path out = flags.sweep.out;
     make_writable_directory(out);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const std::unique_ptr<Machine> machine = machine_with_gl(quiet);
     const Json header = header_of(studies, *machine, studies.front().asked_params(), flags.repeats);
     PointStore store(out, header);
-    if (!quiet && store.dropped_half_a_line())
-        fmt::print(stderr, "trade: half a point at the end of {} is measured anew\n", (out / "points.jsonl").string());
-    if (!quiet && store.resumed() > 0) fmt::print(stderr, "trade: {} points are there already\n", store.resumed());
+    if (!quiet) remark_on_points(store, "trade", out);
 
     TradeOptions options;
     options.repeats = flags.repeats;
@@ -106,14 +100,7 @@ int run_trade(const TradeFlags& flags)
     std::vector<SweepPoint> points;
     for (SceneStudy& study : studies)
         for (SweepPoint& point : trade_points(study, options)) points.push_back(std::move(point));
-    watch_interrupts();
-    std::optional<Progress> progress;
-    const bool whole = run_sweep(points, shard, store, [&](std::size_t done, std::size_t total) {
-        if (!progress) progress.emplace("trade", static_cast<int>(total), quiet);
-        progress->show(static_cast<int>(done));
-        return !interrupted();
-    });
-    progress.reset();
+    const bool whole = run_sweep(points, shard, store, InterruptibleProgress("trade", quiet));
     machine->check_gl();
     write_report(store.results(), header, out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "trade.json"));

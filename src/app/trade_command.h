@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/sweep_flags.h"
 
 namespace nuno {
 
@@ -13,7 +14,7 @@ struct TradeFlags
 {
     CommonFlags common;
     std::vector<std::string> scenes;
-    std::string out = "nuno-trade", shard = "1/1";
+    SweepFlags sweep{.out = "nuno-trade"};
     int repeats = 5;
 };
 

@@ -156,7 +156,7 @@ AutoGoal auto_goal(std::optional<double> error_percent, std::optional<double> bu
     return goal;
 }
 
-AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const AutoProgress& progress)
+AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const SweepProgress& progress)
 {
     const SimParams& asked = study.asked_params();
     const Json about = stored(store, "scene", [&] { return describe(study); });
@@ -167,7 +167,7 @@ AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& s
         const Candidate& candidate = candidates[i];
         const double most = goal.budget_ms ? *goal.budget_ms : best.ms_per_frame;
         if ((goal.budget_ms || best.is_kept) && !best.set.empty() && candidate.probe_ms > kProbeTrust * most) break;
-        if (!progress(static_cast<int>(i), static_cast<int>(candidates.size()))) break;
+        if (!progress(i, candidates.size())) break;
         const std::string id = setting_text(candidate.set);
         best.known += store.holds(id);
         best.tried += !store.holds(id);

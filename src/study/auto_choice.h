@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "study/trade_results.h"
+#include "study/scene_study.h"
+#include "study/setting.h"
+#include "study/sweep.h"
 
 namespace nuno {
 
@@ -34,11 +36,8 @@ struct AutoChoice
     std::vector<std::string> given_up;  // what it does without, a sentence each
 };
 
-// Called before each setting that is measured; false ends the search with what is known.
-using AutoProgress = std::function<bool(int done, int total)>;
-
 // Settings are tried by rising cost until no cheaper one is left; what was measured before is in `store` and not
-// measured again.
-AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const AutoProgress& progress);
+// measured again. `progress` is called before each; where it is false the search ends with what is known.
+AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& store, const SweepProgress& progress);
 
 }  // namespace nuno

@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "collision/tangle.h"
 #include "core/error.h"
+#include "study/run_measures.h"
 
 namespace nuno {
 namespace {
@@ -57,32 +57,6 @@ std::vector<Part> parts_of(const SimParams& p, const ClothModel& model)
         {"half of the vertices along a side", {{"resolution", std::to_string(side / 2)}}, side >= 10}};
 }
 
-glm::dvec3 mean_centre(const Trajectory& run)
-{
-    glm::dvec3 sum(0);
-    const int half = run.frames() / 2;
-    for (int frame = half; frame <= run.frames(); ++frame) {
-        glm::dvec3 centre(0);
-        for (const glm::vec3& position : run.positions[std::size_t(frame)]) centre += glm::dvec3(position);
-        sum += centre / double(run.positions[0].size());
-    }
-    return sum / double(run.frames() - half + 1);
-}
-
-double intersections_of(const Trajectory& run, const Scene& scene, const SimParams& params)
-{
-    const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
-    TangleSearch search(model);
-    ThreadPool pool(1);
-    double found = 0, poses = 0;
-    for (int frame = 0; frame <= run.frames(); frame += kCheckEvery, ++poses) {
-        std::vector<glm::vec4> positions;
-        for (const glm::vec3& p : run.positions[std::size_t(frame)]) positions.emplace_back(p, 0);
-        found += double(search.find(positions, pool).size());
-    }
-    return found / poses;
-}
-
 // Both runs as far as both went; on other meshes only the centre is compared.
 double change_of(const Trajectory& run, const Trajectory& whole, int horizon, double size_m)
 {
@@ -95,7 +69,7 @@ double change_of(const Trajectory& run, const Trajectory& whole, int horizon, do
 
 }  // namespace
 
-Explanation explain_scene(SceneStudy& study, double tolerance_share, const ExplainProgress& progress)
+Explanation explain_scene(SceneStudy& study, double tolerance_share, const SweepProgress& progress)
 {
     const SimParams& asked = study.asked_params();
     const ClothModel model = build_cloth_model(make_sheets(study.scene(), asked), asked.mass_lumping);
@@ -107,12 +81,12 @@ Explanation explain_scene(SceneStudy& study, double tolerance_share, const Expla
     const Trajectory whole = run_trajectory(study.scene(), asked, long_frames(study), {}, kEnoughMs);
     if (!whole.failure.empty()) throw Error(whole.failure, ExitCode::went_bad);
     explanation.ms_per_frame = whole.median_ms();
-    explanation.intersections = intersections_of(whole, study.scene(), asked);
+    explanation.intersections = count_intersections(study.scene(), asked, whole, kCheckEvery).per_pose();
     explanation.strain = whole.largest_strain;
     const int horizon = study.scene_class().frames;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (!parts[i].is_there) continue;
-        if (!progress(static_cast<int>(i), static_cast<int>(parts.size()))) break;
+        if (!progress(i, parts.size())) break;
         LeftOut& out = explanation.parts.emplace_back();
         out.part = parts[i].name;
         out.set = parts[i].without;
@@ -122,7 +96,7 @@ Explanation explain_scene(SceneStudy& study, double tolerance_share, const Expla
         if (run.frames() < whole.frames()) continue;
         out.change_share = change_of(run, whole, horizon, study.scene_class().size_m);
         out.ms_per_frame = run.median_ms();
-        out.intersections = intersections_of(run, study.scene(), params);
+        out.intersections = count_intersections(study.scene(), params, run, kCheckEvery).per_pose();
         out.strain = run.largest_strain;
         out.is_needed = out.change_share > tolerance_share || out.intersections > explanation.intersections;
     }
@@ -142,13 +116,11 @@ std::string explain_table(const Explanation& e)
             continue;
         }
         const double saved = 1 - out.ms_per_frame / e.ms_per_frame;
-        std::string words;
-        for (const auto& [name, value] : out.set) words += fmt::format(" --set {}={}", name, value);
         table += fmt::format("{:34} {:>8.2g}% {:>9.3g} {:>6.0f}% {:>12.3g} {:>7.2g}%  {}\n", out.part,
                              100 * out.change_share, out.ms_per_frame, 100 * saved, out.intersections, 100 * out.strain,
                              out.is_needed      ? "needed"
                              : saved < kWorthIt ? "may stay: costs next to nothing"
-                                                : "can go:" + words);
+                                                : "can go: " + setting_text(out.set, "--set "));
     }
     if (!e.absent.empty()) {
         table += "not in the scene, and no work:";
@@ -162,10 +134,8 @@ Json explain_json(const Explanation& e)
 {
     Json parts = Json::array();
     for (const LeftOut& out : e.parts) {
-        Json set;
-        for (const auto& [name, value] : out.set) set[name] = value;
         parts.push_back({{"part", out.part},
-                         {"set", set},
+                         {"set", setting_json(out.set)},
                          {"change_share", out.change_share},
                          {"ms_per_frame", out.ms_per_frame},
                          {"intersections_per_pose", out.intersections},

@@ -2,12 +2,13 @@
 // (docs/explain.md).
 #pragma once
 
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "study/trade_points.h"
+#include "study/scene_study.h"
+#include "study/setting.h"
+#include "study/sweep.h"
 
 namespace nuno {
 
@@ -34,10 +35,9 @@ struct Explanation
     std::vector<std::string> absent;  // what the scene does not ask for, and costs nothing
 };
 
-// Called before each part; false ends with what is done.
-using ExplainProgress = std::function<bool(int done, int total)>;
-
-Explanation explain_scene(SceneStudy& study, double tolerance_share, const ExplainProgress& progress);
+// `progress` is called before each part; where it is false, what is done is all there is. Error where the scene goes
+// bad with everything.
+Explanation explain_scene(SceneStudy& study, double tolerance_share, const SweepProgress& progress);
 
 std::string explain_table(const Explanation& explanation);
 nlohmann::ordered_json explain_json(const Explanation& explanation);

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "collision/tangle.h"
 #include "sim/run_recorder.h"
 #include "study/grid_poses.h"
+#include "study/run_measures.h"
+#include "study/setting.h"
 #include "study/trade_settings.h"
 
 namespace nuno {
@@ -22,13 +23,6 @@ using Json = nlohmann::ordered_json;
 
 // Frames between those in which faces that intersect are counted.
 constexpr int kCheckEvery = 4;
-
-Json setting_json(const Setting& setting)
-{
-    Json words;
-    for (const auto& [name, value] : setting) words[name] = value;
-    return words;
-}
 
 double seconds(int frames, const SimParams& params) { return double(frames) / params.frame_rate; }
 
@@ -95,21 +89,10 @@ Json measure_cost(SceneStudy& study, const Setting& setting, bool counts_crossin
     result["frames"] = frames;
     result["largest_strain"] = run.largest_strain;
     if (!counts_crossings) return result;
-    const ClothModel model = build_cloth_model(make_sheets(study.scene(), params), params.mass_lumping);
-    TangleSearch search(model);
-    ThreadPool pool(1);
-    std::uint64_t crossing = 0, looked = 0, tangled = 0;
-    for (int frame = 0; frame <= frames; frame += kCheckEvery) {
-        std::vector<glm::vec4> positions;
-        for (const glm::vec3& p : run.positions[std::size_t(frame)]) positions.emplace_back(p, 0);
-        const std::uint64_t found = search.find(positions, pool).size();
-        crossing += found;
-        tangled += found > 0;
-        ++looked;
-    }
-    result["poses_looked_at"] = looked;
-    result["poses_that_intersect"] = tangled;
-    result["intersections_per_pose"] = double(crossing) / double(looked);
+    const Intersections found = count_intersections(study.scene(), params, run, kCheckEvery);
+    result["poses_looked_at"] = found.poses;
+    result["poses_that_intersect"] = found.poses_that_intersect;
+    result["intersections_per_pose"] = found.per_pose();
     result["contacts"] = run.count.contacts;
     result["rollbacks"] = run.count.rollbacks;
     return result;
@@ -138,18 +121,10 @@ struct Statistic
 // Of the second half of a run.
 void add_statistics(const Trajectory& run, double size_m, std::vector<std::pair<std::string, Statistic>>& statistics)
 {
-    glm::dvec3 centre(0);
-    double kinetic = 0;
-    const int half = run.frames() / 2;
-    for (int frame = half; frame <= run.frames(); ++frame) {
-        glm::dvec3 sum(0);
-        for (const glm::vec3& position : run.positions[std::size_t(frame)]) sum += glm::dvec3(position);
-        centre += sum / double(run.positions[0].size());
-        kinetic += run.kinetic_j[std::size_t(frame)];
-    }
-    const double frames = run.frames() - half + 1;
-    const double values[] = {centre.x / frames / size_m, centre.y / frames / size_m, centre.z / frames / size_m,
-                             kinetic / frames, run.largest_strain};
+    const glm::dvec3 centre = mean_centre(run) / size_m;
+    const auto half = run.kinetic_j.begin() + run.frames() / 2;
+    const double kinetic = std::accumulate(half, run.kinetic_j.end(), 0.0) / double(run.kinetic_j.end() - half);
+    const double values[] = {centre.x, centre.y, centre.z, kinetic, run.largest_strain};
     for (std::size_t k = 0; k < statistics.size(); ++k) statistics[k].second.values.push_back(values[k]);
 }
 
@@ -207,23 +182,6 @@ std::vector<Setting> each(std::string name, const std::vector<std::string>& valu
 }
 
 }  // namespace
-
-std::string setting_text(const Setting& setting)
-{
-    std::string text;
-    for (const auto& [name, value] : setting) text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
-    return text;
-}
-
-SimParams with_setting(SimParams params, const Setting& setting)
-{
-    for (const auto& [name, value] : setting) {
-        const ParamInfo* info = find_param(sim_param_table(), name);
-        if (info == nullptr) throw_unknown_param(name, std::vector{sim_param_table()}, "setting");
-        set_param_text(*info, &params, value, "setting " + name);
-    }
-    return params;
-}
 
 std::vector<SweepPoint> trade_points(SceneStudy& study, const TradeOptions& options)
 {

@@ -1,22 +1,12 @@
 // The points of `nuno trade`: settings of a scene, each with what it costs and how wrong it is (docs/trade.md).
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "study/scene_study.h"
 #include "study/sweep.h"
 
 namespace nuno {
-
-// --set words: name and value.
-using Setting = std::vector<std::pair<std::string, std::string>>;
-
-// "method=xpbd substeps=8".
-std::string setting_text(const Setting& setting);
-// Error where a name or value is wrong.
-SimParams with_setting(SimParams params, const Setting& setting);
 
 struct TradeOptions
 {

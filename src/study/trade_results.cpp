@@ -132,9 +132,7 @@ Json trade_json(const std::vector<TradeScene>& scenes)
     for (const TradeScene& scene : scenes) {
         Json points = Json::array();
         for (const TradePoint& p : scene.time) {
-            Json set;
-            for (const auto& [name, value] : p.set) set[name] = value;
-            Json point{{"set", set}, {"substeps", p.substeps}, {"on_front", p.is_on_front}};
+            Json point{{"set", setting_json(p.set)}, {"substeps", p.substeps}, {"on_front", p.is_on_front}};
             if (p.is_measured)
                 point.update({{"ms_per_second", p.ms_per_second},
                               {"error_share", p.error_share},

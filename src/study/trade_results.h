@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "study/trade_points.h"
+#include "study/setting.h"
 
 namespace nuno {
 

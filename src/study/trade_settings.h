@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "study/trade_points.h"
+#include "model/body.h"
+#include "model/cloth_model.h"
+#include "study/setting.h"
 
 namespace nuno {
 

@@ -83,7 +83,7 @@ TEST(StabilityCommand, points_of_another_sweep_are_refused_and_kept)
     expect_refused(stability("seed", directory.path()), "points.jsonl:1: is no point");
 }
 
-TEST(StabilityCommand, an_interrupt_leaves_whole_points_and_the_same_command_goes_on)
+TEST(StabilityCommand, an_interrupt_leaves_whole_points_and_a_report_of_them)
 {
     const TemporaryDirectory directory;
     const std::vector<std::string> words{"stability", "seed",  "--out",        directory.path().string(),

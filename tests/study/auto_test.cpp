@@ -25,7 +25,7 @@ SceneStudy small_study(const char* name, int frames)
     return SceneStudy(std::move(scene), params);
 }
 
-bool go_on(int, int) { return true; }
+bool go_on(std::size_t, std::size_t) { return true; }
 
 TEST(Auto, a_goal_is_one_number_that_can_be_kept)
 {

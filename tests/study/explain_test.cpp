@@ -19,7 +19,7 @@ Explanation explain_small(const char* name, int frames, const Setting& settings,
     params.threads = 1;
     scene.check.frames = frames;
     SceneStudy study(std::move(scene), params);
-    return explain_scene(study, tolerance, [](int, int) { return true; });
+    return explain_scene(study, tolerance, [](std::size_t, std::size_t) { return true; });
 }
 
 const LeftOut& part_of(const Explanation& explanation, const std::string& name)

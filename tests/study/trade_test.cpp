@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "study/grid_poses.h"
+#include "study/trade_points.h"
 #include "study/trade_report.h"
 #include "study/trade_results.h"
 #include "support/program_run.h"

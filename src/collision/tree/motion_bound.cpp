@@ -14,7 +14,8 @@ namespace nuno {
 namespace {
 
 constexpr std::size_t kVerticesInTask = 16384;
-// Of the vertices, those that are looked at where some are enough; odd, so that they lie in all columns of a grid.
+// Of the vertices, those that are looked at where some are enough: of most grids from all columns, of those with a
+// multiple of this from one.
 constexpr std::size_t kSomeStep = 17;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
