@@ -7,7 +7,7 @@
 
 #include "collision/rollback.h"
 #include "collision/sheet_numbers.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {
@@ -52,7 +52,7 @@ const SpeculativeContacts& ContinuousCollision::foresee(std::span<const glm::vec
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
     const int tasks = query_.begin({positions, ends}, speculative_query(settings.thickness, settings.culling), pool_);
     foreseen_of_task_.resize(std::max(foreseen_of_task_.size(), std::size_t(tasks)));
-    run_tasks(pool_, tasks, [&](int task) {
+    share_tasks(pool_, tasks, [&](int task, int) {
         SpeculativeContacts& found = foreseen_of_task_[std::size_t(task)];
         found.contacts.clear();
         found.largest_approach = 0;
@@ -79,7 +79,7 @@ std::vector<Impact> ContinuousCollision::find_impacts(const LayerPass& pass, Cul
     for (std::size_t v = 0; v < ways_.size() && tasks > 0; ++v) ways_[v] = pass.end[v] - pass.start[v];
     impacts_of_task_.resize(std::max(impacts_of_task_.size(), std::size_t(tasks)));
     pairs_of_task_.assign(std::size_t(tasks), 0);
-    run_tasks(pool_, tasks, [&](int task) {
+    share_tasks(pool_, tasks, [&](int task, int) {
         std::vector<Impact>& found = impacts_of_task_[std::size_t(task)];
         found.clear();
         PairBatches batches([&](PairKind kind, std::span<const ElementPair> pairs) {

@@ -18,7 +18,7 @@
 #include <cstring>
 
 #include "collision/pair_sieve.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 #include "model/formulas.h"
 #include "model/wide.h"
 
@@ -117,7 +117,7 @@ std::span<const Contact> ContactSearch::find(const ElementQuery& query, int task
                                              ThreadPool& pool)
 {
     tasks_.resize(std::max(tasks_.size(), static_cast<std::size_t>(task_count)));
-    run_tasks(pool, task_count, [&](int number) {
+    share_tasks(pool, task_count, [&](int number, int) {
         // On this thread's stack meanwhile, for the tasks of two threads may lie in one cache line.
         Task task = std::move(tasks_[static_cast<std::size_t>(number)]);
         task.contacts.clear();

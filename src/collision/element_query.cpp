@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {
@@ -67,7 +67,7 @@ void ElementQuery::keep_pairs(KeptPairs& kept, ThreadPool& pool)
     kept.near_culled = near_pairs_culled();
     const std::size_t tasks = near_tasks() + tree_.pairs().size();
     kept_of_task_.resize(std::max(kept_of_task_.size(), tasks));
-    run_tasks(pool, static_cast<int>(tasks), [&](int task) {
+    share_tasks(pool, static_cast<int>(tasks), [&](int task, int) {
         std::vector<ElementPair>& pairs = kept_of_task_[static_cast<std::size_t>(task)];
         pairs.clear();
         run(task, [&](const ElementPair& pair) { pairs.push_back(pair); });

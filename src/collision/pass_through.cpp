@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "collision/discrete.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 #include "model/formulas.h"
 
 namespace nuno {
@@ -109,7 +109,7 @@ std::vector<VertexFace> find_pass_through(ElementQuery& query, std::span<const g
         std::max(longest_edge(query.faces(), positions_t0), longest_edge(query.faces(), positions_t1));
     const int task_count = query.begin({positions_t0, positions_t1}, {1e-5f * longest, Culling::none}, pool);
     std::vector<std::vector<VertexFace>> found(static_cast<std::size_t>(task_count));
-    run_tasks(pool, task_count, [&](int task) {
+    share_tasks(pool, task_count, [&](int task, int) {
         query.run(task, [&](const ElementPair& pair) {
             const auto path = [&](int i) { return path_of(pair.vertices[i], positions_t0, positions_t1); };
             if (passes_through(path(0), path(1), path(2), path(3)))

@@ -14,7 +14,7 @@
 #include <glm/common.hpp>
 
 #include "collision/sheet_numbers.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {
@@ -115,7 +115,7 @@ std::span<const VertexPair> SphereSearch::find(ThreadPool& pool)
 {
     const std::size_t task_count = (entries_.size() + kEntriesOfTask - 1) / kEntriesOfTask;
     tasks_.resize(std::max(tasks_.size(), task_count));
-    run_tasks(pool, static_cast<int>(task_count), [&](int number) {
+    share_tasks(pool, static_cast<int>(task_count), [&](int number, int) {
         const std::size_t begin = static_cast<std::size_t>(number) * kEntriesOfTask;
         Task task = std::move(tasks_[static_cast<std::size_t>(number)]);
         task.pairs.clear();

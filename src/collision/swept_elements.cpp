@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {
@@ -22,7 +22,7 @@ void SweptElements::set(const Poses& poses, float distance, ThreadPool& pool)
     is_swept_ = poses.is_swept();
     ways_.resize(start_.size());
     std::vector<float> largest(std::size_t(task_count(start_.size())));
-    run_tasks(pool, task_count(start_.size()), [&](int task) {
+    share_tasks(pool, task_count(start_.size()), [&](int task, int) {
         const std::size_t begin = std::size_t(task) * kInTask, end = std::min(begin + kInTask, start_.size());
         Float4 size = all_lanes(0);
         for (std::size_t v = begin; v < end; ++v) {
@@ -47,7 +47,7 @@ void SweptElements::set_distance(float distance)
 void SweptElements::set_faces(std::span<const glm::uvec3> faces, ThreadPool& pool)
 {
     faces_.resize(faces.size());
-    run_tasks(pool, task_count(faces.size()), [&](int task) {
+    share_tasks(pool, task_count(faces.size()), [&](int task, int) {
         const std::size_t begin = std::size_t(task) * kInTask, end = std::min(begin + kInTask, faces.size());
         for (std::size_t f = begin; f < end; ++f) faces_[f] = face(faces[f].x, faces[f].y, faces[f].z);
     });

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "collision/face_neighbours.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {
@@ -74,7 +74,7 @@ std::vector<Tangle> TangleSearch::find(std::span<const glm::vec4> positions, Thr
     for (const std::span<const FacePair>& part : tree_.pairs()) add(part);
 
     std::vector<std::vector<Tangle>> found(tasks.size());
-    run_tasks(pool, static_cast<int>(tasks.size()), [&](int task) {
+    share_tasks(pool, static_cast<int>(tasks.size()), [&](int task, int) {
         for (const FacePair pair : tasks[std::size_t(task)])
             add_if_met(pair, faces(), positions, found[std::size_t(task)]);
     });

@@ -12,7 +12,7 @@
 
 #include "collision/ccd/impact.h"
 #include "collision/poses.h"
-#include "collision/task_loop.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {

@@ -17,8 +17,8 @@
 
 #include "collision/ccd/impact.h"
 #include "collision/element_query.h"
-#include "collision/task_loop.h"
 #include "core/stopwatch.h"
+#include "core/task_share.h"
 #include "exact/mesh_files.h"
 
 namespace nuno {
@@ -95,7 +95,7 @@ void run(const std::string& first, const std::string& second)
     const int tasks = query.begin({x0, x1}, {2 * growth, Culling::sound}, pool);
     const double tree_ms = watch.lap_ms();
     std::vector<Answer> answers(static_cast<std::size_t>(tasks));
-    run_tasks(pool, tasks, [&](int task) {
+    share_tasks(pool, tasks, [&](int task, int) {
         Answer& answer = answers[std::size_t(task)];
         query.run(task, [&](const ElementPair& pair) {
             ++answer.tested;

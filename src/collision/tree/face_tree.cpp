@@ -9,7 +9,7 @@
 
 #include <glm/common.hpp>
 
-#include "collision/tree/task_share.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "collision/tree/face_tree.h"
-#include "collision/tree/task_share.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {

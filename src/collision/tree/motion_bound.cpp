@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "collision/tree/task_share.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "collision/tree/rest_rim.h"
-#include "collision/tree/task_share.h"
+#include "core/task_share.h"
 
 namespace nuno {
 namespace {

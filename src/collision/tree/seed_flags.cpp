@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "collision/tree/task_share.h"
+#include "core/task_share.h"
 #include "model/formulas.h"
 
 namespace nuno {
