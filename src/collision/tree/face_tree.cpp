@@ -43,9 +43,7 @@ FaceTree::FaceTree(std::span<const glm::vec3> rest_positions, std::span<const gl
     assert(layout_.levels.size() <= kMostLevels);
     share_out(sheets, vertex_count);
     find_places();
-    for (const Sheet& sheet : sheets)
-        if (!make_grid_patch(sheet, faces_))
-            if (auto chart = RestChart::make(rest_positions, faces_, sheet)) charts_.push_back(std::move(*chart));
+    if (!layout_.meshes.empty()) charts_.emplace(layout_, rest_positions, faces_);
     for (const GridPatch& grid : layout_.grids) {
         const GridProof& proof = proofs_.emplace_back(grid, rest_positions);
         proof_levels_.emplace_back();
@@ -138,13 +136,13 @@ bool FaceTree::prove(const Poses& poses, const TreeSettings& settings, ThreadPoo
         kernels_->edge_bounds(poses.t0.data(), band, blocks, rows);
         if (poses.is_swept()) kernels_->edge_bounds(poses.t1.data(), band, blocks, rows);
     });
-    bool all = proofs_.size() + charts_.size() == sheet_count_;
+    bool all = true;
     for (GridProof& proof : proofs_) {
         proof.prove(settings, *kernels_);
         all = all && proof.holds_for_all();
     }
-    for (const RestChart& chart : charts_) all = all && chart.is_apart(poses, faces_, settings, *kernels_, pool);
-    return all;
+    if (charts_) charts_->prove(poses, settings, *kernels_, pool);
+    return all && (!charts_ || charts_->holds_for_all());
 }
 
 // The frame takes the middle of all displacements out of t1: what all vertices do together brings nothing nearer.
@@ -247,9 +245,10 @@ void FaceTree::make_parents(ThreadPool& pool)
 bool FaceTree::is_apart_from_neighbours(std::uint32_t face) const
 {
     if (proven_apart_) return true;
+    if (settings_.culling != Culling::sound) return false;
     const GridPlace place = grid_places_[face];
-    return settings_.culling == Culling::sound && place.grid < kNoGrid &&
-           proofs_[place.grid].is_apart_from_neighbours(place.i, place.j);
+    return place.grid < kNoGrid ? proofs_[place.grid].is_apart_from_neighbours(place.i, place.j)
+                                : charts_->is_apart_from_neighbours(face);
 }
 
 FaceBox FaceTree::face_box(std::uint32_t face) const

@@ -3,15 +3,16 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "collision/tree/chart_proof.h"
 #include "collision/tree/grid_proof.h"
 #include "collision/tree/kernels.h"
-#include "collision/tree/rest_chart.h"
 #include "collision/tree/seed_flags.h"
 #include "collision/tree/tree_layout.h"
 #include "collision/tree/tree_node.h"
@@ -123,7 +124,7 @@ class FaceTree
     TreeLayout layout_;
     std::vector<GridProof> proofs_;         // of each grid
     std::vector<ProofLevel> proof_levels_;  // of each grid, kMostLevels
-    std::vector<RestChart> charts_;         // of the meshes that are flat and convex at rest
+    std::optional<ChartProof> charts_;      // of all sheets that are no grids
     SeedFlags seed_flags_;
     std::vector<VertexRun> vertex_runs_;
     std::vector<GridBand> bands_;

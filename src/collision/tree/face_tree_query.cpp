@@ -27,6 +27,7 @@ QueryFrame FaceTree::query_frame() const
     for (std::size_t level = 0; level < layout_.levels.size(); ++level)
         query.levels[level] = layout_.levels[level].data();
     query.proofs = settings_.culling == Culling::sound && !proofs_.empty() ? proof_levels_.data() : nullptr;
+    query.windows = settings_.culling == Culling::sound && charts_ ? charts_->levels() : nullptr;
     query.masks_neighbours = masks_neighbours();
     query.compares_vertices = !layout_.mesh_nodes.empty() || !query.masks_neighbours;
     return query;
@@ -41,7 +42,7 @@ bool FaceTree::skips_self(int level, std::uint32_t node) const
     if (level == 0 && layout_.levels.size() == 1) return false;
     const TreeNode& square =
         level == 0 ? layout_.levels[1][node / 4] : layout_.levels[static_cast<std::size_t>(level)][node];
-    if (square.grid >= kNoGrid) return false;
+    if (square.grid >= kNoGrid) return charts_ && charts_->holds_node(std::max(level, 1), level == 0 ? node / 4 : node);
     const ProofLevel& proof = proof_levels_[square.grid * kMostLevels + static_cast<std::uint32_t>(std::max(level, 1))];
     return proof.flags[square.y * proof.width + square.x] & 1;
 }
@@ -86,8 +87,7 @@ void FaceTree::visit_below(const QueryFrame& frame, int level, NodeRun nodes, Wo
         for (std::uint32_t n = begin; n < std::min(begin + chunk, nodes.end); ++n) {
             const TreeNode& node = frame.levels[static_cast<std::size_t>(level)][n];
             if (masks && node.meets_neighbours == 0) continue;
-            const int pairs = kernels_->visit_self(node, n, first + count, second + count);
-            if (pairs > 0 && !skips_self(level, n)) count += pairs;
+            if (!skips_self(level, n)) count += kernels_->visit_self(node, n, first + count, second + count);
         }
         kernels_->visit(frame, level - 1, {first, second, count}, worker.query, task.found);
     }

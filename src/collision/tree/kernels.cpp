@@ -39,7 +39,7 @@ void RowScratch::resize(int columns)
 #define NUNO_TREE_TABLE                                                                                               \
     {                                                                                                                 \
         vertex_extent, grid_boxes, cell_boxes, parent_boxes, visit, visit_self, visit_pair, edge_bounds, merge_edges, \
-            prove_blocks, prove_cells, gradient_bounds                                                                \
+            prove_blocks, prove_cells, prove_part, prove_face                                                         \
     }
 
 namespace lanes_4 {
@@ -55,6 +55,8 @@ namespace lanes_4 {
 #include "collision/tree/pair_kernels.inc"
 //
 #include "collision/tree/proof_kernels.inc"
+//
+#include "collision/tree/chart_kernels.inc"
 #undef NUNO_TREE_PART_BYTES
 constexpr TreeKernels kKernels = NUNO_TREE_TABLE;
 }  // namespace lanes_4
@@ -75,6 +77,8 @@ namespace lanes_8 {
 #include "collision/tree/pair_kernels.inc"
 //
 #include "collision/tree/proof_kernels.inc"
+//
+#include "collision/tree/chart_kernels.inc"
 #undef NUNO_TREE_PART_BYTES
 constexpr TreeKernels kKernels = NUNO_TREE_TABLE;
 }  // namespace lanes_8
@@ -95,6 +99,8 @@ namespace lanes_16 {
 #include "collision/tree/pair_kernels.inc"
 //
 #include "collision/tree/proof_kernels.inc"
+//
+#include "collision/tree/chart_kernels.inc"
 #undef NUNO_TREE_PART_BYTES
 constexpr TreeKernels kKernels = NUNO_TREE_TABLE;
 }  // namespace lanes_16

@@ -8,6 +8,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "collision/tree/chart_window.h"
 #include "collision/tree/grid_patch.h"
 #include "collision/tree/proof_levels.h"
 #include "collision/tree/tree_node.h"
@@ -61,15 +62,24 @@ struct BandFound
 
 constexpr int kMostLevels = 17;
 
+// What is known of meshes: the largest proven window that holds all of a node, kNoWindow without one; and the nodes of
+// level 1 that each window holds besides, in order.
+struct WindowLevels
+{
+    std::array<const std::uint32_t*, kMostLevels> of_node{};
+    const std::span<const std::uint32_t>* around = nullptr;
+};
+
 // The self-query as a task sees it.
 struct QueryFrame
 {
     BoxFrame box;
     const Cell* cells;
     std::array<const TreeNode*, kMostLevels> levels;
-    const ProofLevel* proofs;  // of grid g, level l: [g kMostLevels + l]; null: none
-    bool masks_neighbours;     // leaves neighbouring cells and level-0 nodes of a grid out
-    bool compares_vertices;    // leaves out faces with a common vertex
+    const ProofLevel* proofs;     // of grid g, level l: [g kMostLevels + l]; null: none
+    const WindowLevels* windows;  // null: none
+    bool masks_neighbours;        // leaves neighbouring cells and level-0 nodes of a grid out
+    bool compares_vertices;       // leaves out faces with a common vertex
 };
 
 // Node pairs still to be visited, by level, and what they led to.
@@ -120,8 +130,9 @@ struct TreeKernels
     // Which cells of a band are proven apart from those around them, as prove_blocks has it, on the frame's way; written
     // where the band's cells are in the whole grid's numbers (proof_levels.h).
     void (*prove_cells)(const BoxFrame&, const GridBand&, float need, float slack, RowScratch&, std::uint16_t* apart);
-    // Bounds of the gradients of faces over their charts, in the order of EdgeLevel; added to what is there, or new.
-    void (*gradient_bounds)(const glm::vec4* positions, const FaceChartRun&, bool is_new, float* bounds);
+    // What is asked of a window's part, or of one of its faces, at these positions.
+    ChartAnswer (*prove_part)(const glm::vec4* positions, const ChartPart&, const ChartTest&);
+    bool (*prove_face)(const glm::vec4* positions, const ChartFace&, const ChartTest&);
 };
 
 // For 16, 8 or 4 floats a vector; narrower ones where the machine or the build has no others. All give the same bits.

@@ -41,19 +41,6 @@ struct EdgeLevel
 // i / 16 for cell (i, j).
 inline int cell_groups(int columns) { return (columns + 15) / 16; }
 
-// A face at rest in a plane: the inverse of the matrix of its edges from corner 0 to 1 and to 2 [1/m], row by row.
-struct FaceChart
-{
-    std::array<float, 4> inverse;
-};
-
-struct FaceChartRun
-{
-    const glm::uvec3* faces;
-    const FaceChart* charts;
-    std::uint32_t count;
-};
-
 // Slack for the rounding of edges and of all that is computed from them.
 constexpr float kEdgeSlack = 1e-5f;
 

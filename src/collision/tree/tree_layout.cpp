@@ -76,6 +76,7 @@ class Builder
         const std::uint32_t first = start(part);
         std::copy(part.cells.begin(), part.cells.end(), layout_.cells.begin() + 4 * std::ptrdiff_t(first));
         layout_.mesh_nodes.push_back({first, first + part.node_count});
+        layout_.meshes.push_back({first, first + part.node_count});
     }
 
     void append_grid(const Part& part)

@@ -28,6 +28,7 @@ struct TreeLayout
     std::vector<std::vector<TreeNode>> levels;  // 0: parents of cells; the last has one node
     // Nodes whose cells are met in the tree with their neighbours too: those of all sheets but regular grids.
     std::vector<NodeRun> mesh_nodes;
+    std::vector<NodeRun> meshes;  // of each sheet that is no grid
 };
 
 TreeLayout make_tree_layout(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,

@@ -8,60 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "collision/tree/culling_outcome.h"
 #include "collision/tree/face_tree.h"
 #include "collision/tree/tree_cases.h"
 
 namespace nuno {
 namespace {
-
-struct Outcome
-{
-    std::size_t in_reach = 0;        // pairs whose boxes overlap
-    std::size_t left_out = 0;        // of them
-    std::size_t near = 0;            // that come within the distance at one of the times
-    std::size_t lost = 0;            // of those, not found
-    double nearest_left_out = 1e30;  // [m]
-    bool proven_apart = false;
-};
-
-constexpr int kTimes = 16;  // of a way that are looked at
-
-// The least distance of two faces at the times of a way.
-double least_distance(const TreeCase& cloth, const Poses& poses, FacePair pair)
-{
-    double least = face_distance(cloth, poses, pair, 0);
-    for (int k = 1; poses.is_swept() && k <= kTimes; ++k)
-        least = std::min(least, face_distance(cloth, poses, pair, double(k) / kTimes));
-    return least;
-}
-
-Outcome outcome_of(const TreeCase& cloth, const Poses& poses, float distance, Culling culling)
-{
-    ThreadPool pool(1);
-    FaceTree tree = cloth.tree();
-    tree.refit(poses, {distance, Culling::none}, pool);
-    const std::vector<FacePair> all = brute_force_pairs(tree);
-    tree.refit(poses, {distance, culling}, pool);
-    tree.query(pool);
-    const std::vector<FacePair> found = sorted_pairs(tree);
-    EXPECT_TRUE(std::includes(all.begin(), all.end(), found.begin(), found.end()));
-
-    Outcome outcome;
-    outcome.in_reach = all.size();
-    outcome.left_out = all.size() - found.size();
-    outcome.proven_apart = tree.is_proven_apart();
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const FacePair pair = all[k];
-        const bool is_found = std::binary_search(found.begin(), found.end(), pair);
-        // Of those that are found only some are looked at: they are for the count of near ones alone.
-        if (is_found && poses.is_swept() && k % 16 != 0) continue;
-        const double least = least_distance(cloth, poses, pair);
-        outcome.near += least <= distance;
-        outcome.lost += least <= distance && !is_found;
-        if (!is_found) outcome.nearest_left_out = std::min(outcome.nearest_left_out, least);
-    }
-    return outcome;
-}
 
 // Small waves on a sheet that is bent, pressed together along one side by `pressed`.
 TreeCase wavy(int n, float amplitude, float pressed, std::uint32_t seed)
@@ -95,7 +47,7 @@ TEST(TreeCulling, sound_loses_no_pair_within_the_distance)
         for (const TreeCase& form : {cloth, in_random_order(cut_at_random(cloth, 1), 2)})
             for (const float distance : {0.0f, 0.002f, 0.01f, 0.03f}) {
                 SCOPED_TRACE(form.name + ", distance " + std::to_string(distance));
-                const Outcome outcome = outcome_of(form, form.still(), distance, Culling::sound);
+                const CullingOutcome outcome = culling_outcome(form, form.still(), distance, Culling::sound);
                 EXPECT_EQ(outcome.lost, 0u);
                 EXPECT_GT(outcome.nearest_left_out, distance);
                 near += outcome.near;
@@ -116,7 +68,7 @@ TEST(TreeCulling, sound_loses_no_pair_at_any_time_of_a_way)
         for (const TreeCase& way : {rippled, back, in_random_order(back, 5)})
             for (const float distance : {0.0f, 0.008f}) {
                 SCOPED_TRACE(way.name + ", distance " + std::to_string(distance));
-                const Outcome outcome = outcome_of(way, way.moving(), distance, Culling::sound);
+                const CullingOutcome outcome = culling_outcome(way, way.moving(), distance, Culling::sound);
                 EXPECT_EQ(outcome.lost, 0u);
                 near += outcome.near;
                 left_out += outcome.left_out;
@@ -158,8 +110,8 @@ TEST(TreeCulling, sound_sees_what_happens_between_two_clean_poses)
     TreeCase cloth = as_grid("fold", folded_sheet(n, 0.1f), n, n);
     for (std::size_t v = 0; v < cloth.t1.size(); ++v)
         if (cloth.rest[v].x > 0.6f) cloth.t1[v].z = -cloth.t1[v].z;
-    const Outcome still = outcome_of(cloth, cloth.still(), 0.001f, Culling::sound);
-    const Outcome moving = outcome_of(cloth, cloth.moving(), 0.001f, Culling::sound);
+    const CullingOutcome still = culling_outcome(cloth, cloth.still(), 0.001f, Culling::sound);
+    const CullingOutcome moving = culling_outcome(cloth, cloth.moving(), 0.001f, Culling::sound);
     EXPECT_EQ(still.near, 0u);
     EXPECT_GT(moving.near, 100u);
     EXPECT_EQ(moving.lost, 0u);
@@ -186,7 +138,7 @@ TEST(TreeCulling, sound_finds_what_is_between_two_sheets_that_are_clean_in_thems
         TreeCase other = sheet;
         for (glm::vec4& p : other.t0) p.z += gap;
         const TreeCase both = together(sheet, other);
-        const Outcome outcome = outcome_of(both, both.still(), 0.004f, Culling::sound);
+        const CullingOutcome outcome = culling_outcome(both, both.still(), 0.004f, Culling::sound);
         EXPECT_EQ(outcome.lost, 0u);
         EXPECT_EQ(outcome.proven_apart, gap > 0.1f);
         EXPECT_EQ(outcome.near > 0, gap < 0.1f);
@@ -198,7 +150,7 @@ TEST(TreeCulling, sound_proves_nothing_where_a_triangle_is_turned_over)
 {
     TreeCase cloth = as_grid("flat", flat_sheet(9), 9, 9);
     std::swap(cloth.t0[40], cloth.t0[41]);
-    const Outcome outcome = outcome_of(cloth, cloth.still(), 0.01f, Culling::sound);
+    const CullingOutcome outcome = culling_outcome(cloth, cloth.still(), 0.01f, Culling::sound);
     EXPECT_FALSE(outcome.proven_apart);
     EXPECT_EQ(outcome.lost, 0u);
 }
@@ -207,7 +159,7 @@ TEST(TreeCulling, seed_misses_what_lies_between_layers_whose_normals_agree)
 {
     std::size_t ramp_lost = 0;
     for (const TreeCase& cloth : hard_cases(33)) {
-        const Outcome outcome = outcome_of(cloth, cloth.still(), 0.022f, Culling::seed);
+        const CullingOutcome outcome = culling_outcome(cloth, cloth.still(), 0.022f, Culling::seed);
         std::cout << cloth.name << ": the seed's rule misses " << outcome.lost << " of " << outcome.near
                   << " pairs of faces nearer than 22 mm\n";
         EXPECT_LE(outcome.lost, outcome.near);
