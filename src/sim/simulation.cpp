@@ -70,6 +70,7 @@ void Simulation::restart()
     start_positions_.clear();
     layers_.reset();  // a query may go through the pairs of the one before
     chosen_passes_ = 1;
+    rest_watch_.wake();
 }
 
 void Simulation::set_params(const SimParams& asked)
@@ -98,6 +99,7 @@ void Simulation::set_params(const SimParams& asked)
     if (sees_ahead(params.collision) && !sees_ahead(params_.collision)) start_check_ = check_now(params);
     asked_ = asked;
     params_ = params;
+    rest_watch_.wake();
 }
 
 // Not to be untangled: the cloth is on its way.

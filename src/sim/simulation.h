@@ -14,6 +14,7 @@
 #include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
+#include "sim/rest_watch.h"
 #include "sim/start_check.h"
 #include "solver/base/cloth_solver.h"
 
@@ -45,6 +46,7 @@ class Simulation
 
     // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps,
     // vertex and a setting that would hold, where a vertex is lost.
+    // Cloth at rest, with nothing around it that changes, sleeps: its frames have no substeps.
     FrameStats advance_frame();
     // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot
     // keep up slows the cloth down. The statistics are those of the frames that ran.
@@ -73,6 +75,8 @@ class Simulation
     StartCheck check_now(SimParams params);
     void download();
     void follow_stretch();
+    bool may_sleep();
+    void run_passes(FrameStats& stats);
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
     std::vector<Tether> reach_of(std::uint32_t vertex) const;
@@ -106,6 +110,7 @@ class Simulation
     int chosen_passes_ = 1;                   // for the next frame, where passes are chosen
     std::vector<glm::vec4> pass_positions_;   // at the last pass, for counting what went through since
     StartCheck start_check_;
+    RestWatch rest_watch_;
     std::optional<Held> held_;
     std::vector<glm::dvec3> stiffest_mode_;  // of stability()
     int frame_ = 0;

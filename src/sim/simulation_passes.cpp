@@ -56,6 +56,30 @@ int Simulation::most_passes() const
 FrameStats Simulation::advance_frame()
 {
     FrameStats stats;
+    if (!may_sleep()) run_passes(stats);
+    stats.frame = ++frame_;
+    stats.time_s = time_s_ += 1.0 / params_.frame_rate;
+    return stats;
+}
+
+// Whether the cloth is at rest, and stays so in the coming frame.
+bool Simulation::may_sleep()
+{
+    if (params_.sleep_motion <= 0) return false;
+    if (held_ || surroundings_change(params_, scene_.bodies, time_s_, time_s_ + 1.0 / params_.frame_rate)) {
+        rest_watch_.wake();
+        return false;
+    }
+    if (frame_ % RestWatch::kFramesBetween == 0 && !rest_watch_.is_at_rest()) {
+        if (!positions_fresh_) solver_->download_positions(state_.positions);
+        positions_fresh_ = true;
+        rest_watch_.look(state_.positions, time_s_, params_.sleep_motion);
+    }
+    return rest_watch_.is_at_rest();
+}
+
+void Simulation::run_passes(FrameStats& stats)
+{
     Stopwatch measuring;
     follow_stretch();
     stats.stage_ms.solve = measuring.lap_ms();
@@ -90,9 +114,6 @@ FrameStats Simulation::advance_frame()
         if (follows_the_way(params_)) respond_to_impacts(stats, interval_s);
         if (on_host) collide(stats, interval_s);
     }
-    stats.frame = ++frame_;
-    stats.time_s = time_s_ += 1.0 / params_.frame_rate;
-    return stats;
 }
 
 // Contacts until the end of the first pass, and the number of passes. Where that is chosen, it is what the frame before

@@ -64,6 +64,7 @@ SimParams params_of(const Scene& scene, SimParams p, const ExtremeCase& c)
     p.count_pass_through = false;
     p.tethers = Tethers::automatic;
     p.strain_limit = 0;
+    p.sleep_motion = 0;
     p.substeps = c.chosen_substeps ? 0 : std::max(p.substeps, 20);
     switch (c.extreme) {
     case Extreme::stiffness: scale_stiffness(p, c.value); break;
