@@ -33,7 +33,9 @@ int band_height(const GridPatch& grid) { return std::clamp((grid.rows / 8 + 3) /
 
 FaceTree::FaceTree(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces,
                    std::span<const Sheet> sheets)
-    : faces_(faces.begin(), faces.end()), kernels_(&machine_tree_kernels())
+    : rest_positions_(rest_positions.begin(), rest_positions.end()),
+      faces_(faces.begin(), faces.end()),
+      kernels_(&machine_tree_kernels())
 {
     assert(!faces.empty());
     const auto vertex_count = static_cast<std::uint32_t>(rest_positions.size());
@@ -43,7 +45,6 @@ FaceTree::FaceTree(std::span<const glm::vec3> rest_positions, std::span<const gl
     assert(layout_.levels.size() <= kMostLevels);
     share_out(sheets, vertex_count);
     find_places();
-    if (!layout_.meshes.empty()) charts_.emplace(layout_, rest_positions, faces_);
     for (const GridPatch& grid : layout_.grids) {
         const GridProof& proof = proofs_.emplace_back(grid, rest_positions);
         proof_levels_.emplace_back();
@@ -141,8 +142,11 @@ bool FaceTree::prove(const Poses& poses, const TreeSettings& settings, ThreadPoo
         proof.prove(settings, *kernels_);
         all = all && proof.holds_for_all();
     }
-    if (charts_) charts_->prove(poses, settings, *kernels_, pool);
-    return all && (!charts_ || charts_->holds_for_all());
+    if (layout_.meshes.empty()) return all;
+    // They take a while to make, and not every tree is asked to cull.
+    if (!charts_) charts_.emplace(layout_, rest_positions_, faces_);
+    charts_->prove(poses, settings, *kernels_, pool);
+    return all && charts_->holds_for_all();
 }
 
 // The frame takes the middle of all displacements out of t1: what all vertices do together brings nothing nearer.

@@ -119,12 +119,13 @@ class FaceTree
     void run_task(const QueryFrame& frame, const TaskPlan& plan, std::size_t number, Worker& worker, Task& task);
     void visit_below(const QueryFrame& frame, int level, NodeRun nodes, Worker& worker, Task& task);
 
+    std::vector<glm::vec3> rest_positions_;
     std::vector<glm::uvec3> faces_;
     std::vector<GridPlace> grid_places_;  // of each face
     TreeLayout layout_;
     std::vector<GridProof> proofs_;         // of each grid
     std::vector<ProofLevel> proof_levels_;  // of each grid, kMostLevels
-    std::optional<ChartProof> charts_;      // of all sheets that are no grids
+    std::optional<ChartProof> charts_;      // of all sheets that are no grids, once asked for
     SeedFlags seed_flags_;
     std::vector<VertexRun> vertex_runs_;
     std::vector<GridBand> bands_;
