@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 
+#include "app/auto_memory.h"
 #include "app/interrupt.h"
-#include "app/machine.h"
 #include "app/sweep_flags.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "core/version.h"
 #include "study/auto_choice.h"
 
 namespace nuno {
@@ -22,28 +21,14 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNothingRan = ": no setting that was tried ran to its end";
 constexpr const char* kNotKept = ": the promise cannot be kept: of all that was tried this is the nearest";
 
-fs::path cache_directory()
+// Whether points that are remembered there are of this program, scene and machine. What cannot be read is not.
+bool is_of(const fs::path& directory, const Json& header)
 {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && *cache != 0) return fs::path(cache) / "nuno";
-    const char* home = std::getenv("HOME");
-    return (home != nullptr && *home != 0 ? fs::path(home) : fs::temp_directory_path()) / ".cache/nuno";
-}
-
-// All that errors and costs depend on.
-Json header_of(const SceneRun& run, const SceneStudy& study)
-{
-    const int threads = ThreadPool(run.params.threads).thread_count();
-    return {{"study", "auto"},
-            {"version", fmt::format("{} ({})", kVersion, kCommit)},
-            {"machine", {{"cpu", cpu_name()}, {"threads", threads}}},
-            {"scene", read_text(run.scene.path)},
-            {"params", params_json(sim_param_table(), &study.asked_params())}};
-}
-
-std::string named(const Json& header)
-{
-    return fmt::format("{:016x}", std::hash<std::string>{}(header["scene"].dump() + header["params"].dump()));
+    try {
+        return read_points(directory).header == header;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 void refuse_chosen(const CommonFlags& flags)
@@ -52,23 +37,37 @@ void refuse_chosen(const CommonFlags& flags)
                "it is chosen for the error or budget");
 }
 
+struct Choice
+{
+    AutoChoice best;
+    std::vector<Rung> ladder;  // where asked for
+};
+
 // Measures and chooses; what was measured before on this machine is remembered. `forget`: measures all anew.
-AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget)
+Choice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget, bool with_ladder)
 {
     SceneStudy study(run.scene, run.params);
-    const Json header = header_of(run, study);
-    const fs::path directory = cache_directory() / "auto" / named(header);
+    const Json header = memory_header(run, study);
+    const fs::path directory = memory_directory(header);
     std::error_code status;
     if (fs::exists(directory / "points.jsonl", status)) {
-        const bool is_stale = forget || read_points(directory).header != header;
+        const bool is_stale = forget || !is_of(directory, header);
         if (is_stale && !forget && !quiet)
-            fmt::print(stderr, "auto: what is remembered is of another machine or version; measured anew\n");
+            fmt::print(stderr, "auto: what is remembered is of another program, mesh or machine; measured anew\n");
         if (is_stale) fs::remove(directory / "points.jsonl", status);
     }
     PointStore store(directory, header);
-    AutoChoice choice = choose_setting(study, goal, store, InterruptibleProgress("auto", quiet));
+    const SweepProgress progress = InterruptibleProgress("auto", quiet);
+    Choice choice{choose_setting(study, goal, store, progress), {}};
+    if (with_ladder && !interrupted()) choice.ladder = ladder_around(study, goal, choice.best, store, progress);
     if (interrupted()) throw Error("auto: interrupted; what was measured is remembered", ExitCode::interrupted);
     return choice;
+}
+
+// From when on a broken promise of an error is not held against a run; 0: never.
+int foretold_frames(const SceneClass& horizon)
+{
+    return horizon.is_chaotic || horizon.first_contact > 0 ? horizon.frames : 0;
 }
 
 }  // namespace
@@ -79,15 +78,19 @@ void add_promise_flags(CLI::App& command, PromiseFlags& flags)
     command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
 }
 
-bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run, std::optional<int> frames)
+std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run,
+                                             std::optional<int> frames)
 {
-    if (!flags.is_given()) return true;
+    if (!flags.is_given()) return nullptr;
     refuse_chosen(common);
     const bool quiet = common.quiet;
-    AutoChoice choice = choose_for(run, auto_goal(flags.error_percent, flags.budget_ms), quiet, false);
+    const AutoGoal goal = auto_goal(flags.error_percent, flags.budget_ms);
+    Choice found = choose_for(run, goal, quiet, false, true);
+    AutoChoice& choice = found.best;
     if (!frames || *frames - 1 > choice.frames_looked_at)
         std::erase_if(choice.set, [](const auto& word) { return word.first == "collision"; });
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
+    const SimParams base = run.params;
     run.params = with_setting(run.params, choice.set);
     run.check_applies = false;
     if (!quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, setting_text(choice.set, "--set "));
@@ -95,7 +98,10 @@ bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRu
         for (const std::string& sentence : choice.given_up)
             fmt::print(stderr, "{}: given up: {}\n", run.scene.name, sentence);
     if (!choice.is_kept) fmt::print(stderr, "nuno: {}{}\n", run.scene.name, kNotKept);
-    return choice.is_kept;
+    const auto own = std::find_if(found.ladder.begin(), found.ladder.end(),
+                                  [&](const Rung& rung) { return rung.set == choice.rung; });
+    const auto rung = static_cast<std::size_t>(own - found.ladder.begin());
+    return std::make_shared<PromiseKeeper>(goal, std::move(found.ladder), rung, base, foretold_frames(choice.horizon));
 }
 
 void add_auto_flags(CLI::App& command, AutoFlags& flags)
@@ -112,7 +118,7 @@ int run_auto(const AutoFlags& flags)
     refuse_chosen(flags.common);
     const SceneRun run = prepare_run(flags.common, flags.common.scene);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
-    const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget);
+    const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget, false).best;
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
     fmt::print("{}\n", setting_text(choice.set, "--set "));
     fmt::print("error {:.2g} % of the size of the cloth, {:.3g} ms a frame; {} settings measured, {} remembered\n",
@@ -125,6 +131,11 @@ int run_auto(const AutoFlags& flags)
                           {"error_share", choice.error_share},
                           {"ms_per_frame", choice.ms_per_frame},
                           {"kept", choice.is_kept},
+                          {"frames_looked_at", choice.frames_looked_at},
+                          {"horizon",
+                           {{"frames", choice.horizon.frames},
+                            {"size_m", choice.horizon.size_m},
+                            {"collision", choice_names(CollisionLevel{})[std::size_t(choice.horizon_level)]}}},
                           {"given_up", choice.given_up}};
         write_whole(flags.common.json, report.dump(1) + "\n");
     }

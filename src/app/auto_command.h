@@ -2,10 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/command_line.h"
+#include "study/promise_keeper.h"
 
 namespace nuno {
 
@@ -19,9 +21,11 @@ struct PromiseFlags
 
 void add_promise_flags(CLI::App& command, PromiseFlags& flags);
 
-// Sets what `nuno auto` chooses for the run, and tells it on stderr. False where the promise cannot be kept. Self-collision
-// is left out only from a run of no more frames than were looked at; without `frames` it may be of any length.
-bool apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run, std::optional<int> frames);
+// Sets what `nuno auto` chooses for the run, and tells it on stderr. What keeps the promise from then on, as the run goes
+// on; none where none is given. Self-collision is left out only from a run of no more frames than were looked at; without
+// `frames` it may be of any length.
+std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run,
+                                             std::optional<int> frames);
 
 struct AutoFlags
 {

@@ -14,6 +14,9 @@ struct CompareFlags
     CommonFlags common;
     std::vector<std::string> scenes;  // none: all
     std::string out = "nuno-compare";
+    bool all = false;                  // every method of both backends
+    std::vector<std::string> methods;  // these; none and not `all`: the scene's own
+    std::vector<int> sizes;            // vertices along the longer side; none: the usual ones
 };
 
 void add_compare_flags(CLI::App& command, CompareFlags& flags);

@@ -15,6 +15,7 @@
 #include "app/compare_command.h"
 #include "app/explain_command.h"
 #include "app/list_commands.h"
+#include "app/merge_command.h"
 #include "app/render_command.h"
 #include "app/stability_command.h"
 #include "app/trade_command.h"

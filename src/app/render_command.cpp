@@ -67,10 +67,11 @@ struct RunResult
     RunRecorder recorder;
     std::optional<Error> went_bad;     // with what came before it recorded
     std::unique_ptr<PoseCheck> check;  // where asked for
-    std::uint64_t touching = 0;        // pairs of layers that touched as a pass began, in all frames
-    std::uint64_t unresolved = 0;      // pairs of layers that the level of collision let through, in all frames
-    int first_unresolved = 0;          // the first frame with one
-    int held_back_frames = 0;          // in which vertices on handles went back with layers
+    std::shared_ptr<PromiseKeeper> promise;
+    std::uint64_t touching = 0;    // pairs of layers that touched as a pass began, in all frames
+    std::uint64_t unresolved = 0;  // pairs of layers that the level of collision let through, in all frames
+    int first_unresolved = 0;      // the first frame with one
+    int held_back_frames = 0;      // in which vertices on handles went back with layers
     int first_held_back = 0;
 };
 
@@ -119,12 +120,24 @@ ExitCode report_promise(const SceneRun& run, const StartCheck& start, const RunR
     return reasons.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
+// Goes on with another setting where a promise asks for it, and says so.
+void keep_promise(const RenderFlags& flags, const SceneRun& run, const FrameStats& stats, Simulation& simulation,
+                  RunResult& result)
+{
+    if (!result.promise) return;
+    for (const std::string& line : result.promise->look(simulation, stats))
+        if (!flags.common.quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, line);
+}
+
 // Simulates and writes one frame.
 void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulation& simulation, FrameOutput& output,
                RunResult& result)
 {
     FrameStats stats;
-    if (frame > 0) stats = simulation.advance_frame();
+    if (frame > 0) {
+        stats = simulation.advance_frame();
+        keep_promise(flags, run, stats, simulation, result);
+    }
     if (stats.count.unresolved > 0 && result.unresolved == 0) result.first_unresolved = frame;
     result.unresolved += stats.count.unresolved;
     result.touching += stats.count.touching;
@@ -140,9 +153,11 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
 }
 
 // Frame after frame; ends early, with all files whole, when interrupted or when the simulation goes bad.
-RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& simulation, FrameOutput& output)
+RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& simulation, FrameOutput& output,
+                     std::shared_ptr<PromiseKeeper> promise)
 {
     RunResult result;
+    result.promise = std::move(promise);
     if (flags.check > 0)
         result.check = std::make_unique<PoseCheck>(simulation.model(), flags.check, simulation.thread_count());
     Progress progress(run.scene.name, flags.frames, flags.common.quiet);
@@ -163,8 +178,8 @@ RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& 
     output.finish();
     if (result.check) result.recorder.check = result.check->counts();
     if (result.code != ExitCode::interrupted) {
-        const ExitCode promise = report_promise(run, simulation.start_check(), result, flags.common.quiet);
-        if (promise != ExitCode::done) result.code = promise;
+        const ExitCode collision = report_promise(run, simulation.start_check(), result, flags.common.quiet);
+        if (collision != ExitCode::done) result.code = collision;
     }
     return result;
 }
@@ -211,24 +226,25 @@ int run_render(const RenderFlags& flags)
     SceneRun run = prepare_run(flags.common, flags.common.scene);
     apply_size(flags.size, run.view);
     const OutputPlan plan = plan_output(flags);
-    const bool kept = apply_promise(flags.promise, flags.common, run, flags.frames);
+    const std::shared_ptr<PromiseKeeper> promise = apply_promise(flags.promise, flags.common, run, flags.frames);
     const Machine machine(plan.draws() || run.params.backend == Backend::gpu);
     Simulation simulation(run.scene, run.params);
     remark(flags, run, machine, simulation);
     FrameOutput output(plan, simulation, run.view);
     watch_interrupts();
-    const RunResult result = run_frames(flags, run, simulation, output);
+    const RunResult result = run_frames(flags, run, simulation, output, promise);
     if (!flags.common.json.empty()) {
         const auto view = params_json(view_param_table(), &run.view);
-        write_whole(
-            flags.common.json,
-            make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view).dump(1) + "\n");
+        auto report = make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view);
+        if (promise) report["promise"] = promise->report();
+        write_whole(flags.common.json, report.dump(1) + "\n");
     }
     machine.check_gl();
     if (result.went_bad) throw *result.went_bad;
     if (const auto warning = flags.common.quiet ? std::nullopt : simulation.present_warning())
         fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
+    const bool kept = !promise || promise->is_kept();
     return static_cast<int>(kept || result.code != ExitCode::done ? result.code : ExitCode::check_failed);
 }
 

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 
+#include "app/sweep_scenes.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "core/version.h"
-#include "sim/run_recorder.h"
 #include "study/stability_report.h"
 
 namespace nuno {
@@ -21,24 +20,18 @@ constexpr int kSide = 9;  // vertices along the longer side, where nothing else 
 constexpr MapSize kCoarse{5, 7};
 
 // Results do not depend on the machine, nor on the number of threads.
-Json header_of(const std::vector<std::pair<Scene, SimParams>>& runs, MapSize size)
+Json header_of(const std::vector<SweepScene>& scenes, MapSize size)
 {
-    Json scenes;
-    for (const auto& [scene, asked] : runs) {
-        SimParams params = asked;
-        params.threads = 0;
-        scenes[scene.name] = {{"text", read_text(scene.path)}, {"params", params_json(sim_param_table(), &params)}};
-    }
     return {{"study", "stability"},
-            {"version", fmt::format("{} ({})", kVersion, kCommit)},
+            {"version", sweep_version()},
             {"columns", size.columns},
             {"rows", size.rows},
-            {"scenes", scenes}};
+            {"scenes", scenes_json(scenes)}};
 }
 
-std::vector<std::pair<Scene, SimParams>> runs_of(const StabilityFlags& flags)
+std::vector<SweepScene> scenes_of_flags(const StabilityFlags& flags)
 {
-    std::vector<std::pair<Scene, SimParams>> runs;
+    std::vector<SweepScene> scenes;
     for (const std::string& name : flags.scenes.empty() ? std::vector<std::string>{"seed"} : flags.scenes) {
         SceneRun run = prepare_run(flags.common, name);
         const auto is_grid = [](const SheetSpec& sheet) { return sheet.mesh.empty(); };
@@ -49,34 +42,32 @@ std::vector<std::pair<Scene, SimParams>> runs_of(const StabilityFlags& flags)
         if (!sets(flags.common, "resolution")) run.params.resolution = kSide;
         if (!sets(flags.common, "method")) run.params.method = Method::automatic;
         run.params.backend = Backend::cpu;
-        runs.emplace_back(std::move(run.scene), run.params);
+        scenes.push_back({name, std::move(run.scene), run.params});
     }
-    return runs;
-}
-
-std::vector<StabilityScene> scenes_of(const std::vector<std::pair<Scene, SimParams>>& runs, MapSize size)
-{
-    std::vector<StabilityScene> scenes;
-    for (const auto& [scene, params] : runs) {
-        StabilityScene& added = scenes.emplace_back();
-        added.maps = std::make_unique<StabilityMaps>(scene, params, size);
-        added.extremes = extreme_cases(added.maps->methods());
-    }
+    require_distinct(scenes);
     return scenes;
 }
 
-// Ids of points have their scene before them.
-std::vector<SweepPoint> points_of(const std::vector<std::pair<Scene, SimParams>>& runs,
-                                  const std::vector<StabilityScene>& scenes)
+// Studies and points of scenes, which must outlive them. Ids of points have their scene before them.
+struct StabilitySweep
 {
+    std::vector<StabilityScene> studies;
     std::vector<SweepPoint> points;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        std::vector<SweepPoint> of_scene = extreme_points(runs[i].first, runs[i].second, scenes[i].extremes);
-        for (SweepPoint& point : scenes[i].maps->points()) of_scene.push_back(std::move(point));
-        for (SweepPoint& point : of_scene)
-            points.push_back({scenes[i].name() + "/" + point.id, std::move(point.measure)});
+};
+
+StabilitySweep sweep_of(const std::vector<SweepScene>& scenes, MapSize size)
+{
+    StabilitySweep sweep;
+    for (const auto& [source, scene, params] : scenes) {
+        StabilityScene& study = sweep.studies.emplace_back();
+        study.maps = std::make_unique<StabilityMaps>(scene, params, size);
+        study.extremes = extreme_cases(study.maps->methods());
+        std::vector<SweepPoint> points = extreme_points(scene, params, study.extremes);
+        for (SweepPoint& point : study.maps->points()) points.push_back(std::move(point));
+        for (SweepPoint& point : points)
+            sweep.points.push_back({study.name() + "/" + point.id, std::move(point.measure)});
     }
-    return points;
+    return sweep;
 }
 
 void take_results(const std::map<std::string, Json>& all, std::vector<StabilityScene>& scenes)
@@ -86,18 +77,32 @@ void take_results(const std::map<std::string, Json>& all, std::vector<StabilityS
             if (id.starts_with(scene.name() + "/")) scene.results[id.substr(scene.name().size() + 1)] = result;
 }
 
-void write_report(const std::vector<StabilityScene>& scenes, const Json& header, const fs::path& out, bool quiet)
+// Writes all that a reader gets; what the sweep came to.
+SweepState write_report(const std::map<std::string, Json>& results, const Json& header, StabilitySweep& sweep,
+                        const fs::path& out, bool quiet)
 {
+    take_results(results, sweep.studies);
+    SweepState state = sweep_state(header, sweep.points, results);
+    const std::vector<StabilityScene>& scenes = sweep.studies;
     write_whole(out / "stability.csv", stability_csv(scenes));
-    write_whole(out / "stability.json", Json{{"header", header}, {"scenes", stability_json(scenes)}}.dump(1) + "\n");
+    const Json json{{"header", header}, {"missing", state.missing}, {"scenes", stability_json(scenes)}};
+    write_whole(out / "stability.json", json.dump(1) + "\n");
     bool drawn = true;
     for (const StabilityScene& scene : scenes) drawn = draw_stability(scene, out) && drawn;
     if (!drawn && !quiet)
         fmt::print(stderr, "stability: no pictures, since gnuplot is missing or failed; {} holds the data\n",
                    (out / "stability.csv").string());
-    write_whole(out / "report.html", stability_page(scenes, header, out));
+    write_whole(out / "report.html", stability_page(scenes, state, out));
     for (const StabilityScene& scene : scenes) fmt::print("{}\n", stability_table(scene));
+    if (!state.missing.empty()) fmt::print("{} of {} points are missing\n", state.missing.size(), state.count);
     fmt::print("{}\n", (out / "report.html").string());
+    return state;
+}
+
+// Whether nothing that was measured is against it.
+bool none_fails(const std::vector<StabilityScene>& scenes)
+{
+    return std::all_of(scenes.begin(), scenes.end(), [](const StabilityScene& s) { return holds(s).value_or(true); });
 }
 
 }  // namespace
@@ -115,23 +120,31 @@ int run_stability(const StabilityFlags& flags)
     const Shard shard = parse_shard(flags.sweep.shard);
     const bool quiet = flags.common.quiet;
     const MapSize size = flags.coarse ? kCoarse : MapSize{};
-    const std::vector<std::pair<Scene, SimParams>> runs = runs_of(flags);
+    std::vector<SweepScene> scenes = scenes_of_flags(flags);
+    ThreadPool pool(scenes.front().params.threads);
+    for (SweepScene& scene : scenes) scene.params.threads = 0;
     const fs::path out = flags.sweep.out;
     make_writable_directory(out);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
-    std::vector<StabilityScene> scenes = scenes_of(runs, size);
-    const Json header = header_of(runs, size);
+    StabilitySweep sweep = sweep_of(scenes, size);
+    const Json header = header_of(scenes, size);
     PointStore store(out, header);
     if (!quiet) remark_on_points(store, "stability", out);
-    ThreadPool pool(runs.front().second.threads);
-    const bool whole =
-        run_sweep(points_of(runs, scenes), shard, store, pool, InterruptibleProgress("stability", quiet));
-    take_results(store.results(), scenes);
-    write_report(scenes, header, out, quiet);
+    const bool whole = run_sweep(sweep.points, shard, store, pool, InterruptibleProgress("stability", quiet));
+    write_report(store.results(), header, sweep, out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "stability.json"));
     if (!whole) return static_cast<int>(ExitCode::interrupted);
-    const bool all_hold = std::all_of(scenes.begin(), scenes.end(), [](const StabilityScene& s) { return holds(s); });
-    return static_cast<int>(all_hold ? ExitCode::done : ExitCode::check_failed);
+    return static_cast<int>(none_fails(sweep.studies) ? ExitCode::done : ExitCode::check_failed);
+}
+
+SweepState report_stability(const StoredPoints& all, const fs::path& out, bool quiet, bool& holds)
+{
+    const MapSize size{all.header.at("columns"), all.header.at("rows")};
+    const std::vector<SweepScene> scenes = scenes_of(all.header);
+    StabilitySweep sweep = sweep_of(scenes, size);
+    SweepState state = write_report(all.results, all.header, sweep, out, quiet);
+    holds = none_fails(sweep.studies);
+    return state;
 }
 
 }  // namespace nuno

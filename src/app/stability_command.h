@@ -2,11 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/command_line.h"
 #include "app/sweep_flags.h"
+#include "study/sweep.h"
 
 namespace nuno {
 
@@ -22,5 +24,8 @@ void add_stability_flags(CLI::App& command, StabilityFlags& flags);
 
 // 1 where a limit is not as predicted, or an extreme did not end as expected.
 int run_stability(const StabilityFlags& flags);
+
+// Writes data, pictures and the page of points that are there already; `holds`: none of them is against what is expected.
+SweepState report_stability(const StoredPoints& all, const std::filesystem::path& out, bool quiet, bool& holds);
 
 }  // namespace nuno

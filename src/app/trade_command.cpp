@@ -1,4 +1,4 @@
-// `nuno trade` and `nuno merge`.
+// `nuno trade`.
 #include "app/trade_command.h"
 
 #include <fmt/format.h>
@@ -6,9 +6,9 @@
 #include <deque>
 
 #include "app/machine.h"
+#include "app/sweep_scenes.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "core/version.h"
 #include "study/trade_points.h"
 #include "study/trade_report.h"
 
@@ -32,31 +32,64 @@ std::unique_ptr<Machine> machine_with_gl(bool quiet)
 }
 
 // All that costs and errors depend on.
-Json header_of(const std::deque<SceneStudy>& studies, const Machine& machine, const SimParams& params, int repeats)
+Json header_of(const std::vector<SweepScene>& scenes, const Machine& machine, int repeats)
 {
-    Json scenes;
-    for (const SceneStudy& study : studies)
-        scenes[study.name()] = {{"text", read_text(study.scene().path)},
-                                {"params", params_json(sim_param_table(), &study.asked_params())}};
-    Json about = machine_json(machine.info(ThreadPool(0).thread_count()));
-    return {{"study", "trade"},   {"version", fmt::format("{} ({})", kVersion, kCommit)},
-            {"machine", about},   {"threads", ThreadPool(params.threads).thread_count()},
-            {"repeats", repeats}, {"scenes", scenes}};
+    return {{"study", "trade"},
+            {"version", sweep_version()},
+            {"machine", machine_json(machine.info(ThreadPool(0).thread_count()))},
+            {"threads", ThreadPool(scenes.front().params.threads).thread_count()},
+            {"repeats", repeats},
+            {"scenes", scenes_json(scenes)}};
+}
+
+// The scenes of a sweep and their points, which go by a header alone.
+struct TradeSweep
+{
+    std::deque<SceneStudy> studies;
+    std::vector<SweepPoint> points;
+};
+
+TradeSweep sweep_of(std::vector<SweepScene> scenes, const Json& header)
+{
+    TradeOptions options;
+    options.repeats = header.at("repeats");
+    options.with_gpu = !header.at("machine").at("gl_renderer").get<std::string>().empty();
+    TradeSweep sweep;
+    for (SweepScene& scene : scenes) {
+        SceneStudy& study = sweep.studies.emplace_back(std::move(scene.scene), scene.params);
+        for (SweepPoint& point : trade_points(study, options)) sweep.points.push_back(std::move(point));
+    }
+    return sweep;
+}
+
+std::vector<SweepScene> scenes_of_flags(const TradeFlags& flags)
+{
+    std::vector<SweepScene> scenes;
+    for (const std::string& name : flags.scenes.empty() ? kScenes : flags.scenes) {
+        refuse_set(flags.common, {"method", "substeps", "iterations", "tethers", "backend"}, "trade tries them all");
+        SceneRun run = prepare_run(flags.common, name);
+        if (!sets(flags.common, "threads")) run.params.threads = 1;
+        scenes.push_back({name, std::move(run.scene), run.params});
+    }
+    require_distinct(scenes);
+    return scenes;
 }
 
 // Tables, pictures and the page, from all points that are there.
-void write_report(const std::map<std::string, Json>& results, const Json& header, const fs::path& out, bool quiet)
+void write_report(const std::map<std::string, Json>& results, const SweepState& sweep, const fs::path& out, bool quiet)
 {
     const std::vector<TradeScene> scenes = trade_scenes(results);
     write_whole(out / "trade.csv", trade_csv(scenes));
-    write_whole(out / "trade.json", Json{{"header", header}, {"scenes", trade_json(scenes)}}.dump(1) + "\n");
+    const Json json{{"header", sweep.header}, {"missing", sweep.missing}, {"scenes", trade_json(scenes)}};
+    write_whole(out / "trade.json", json.dump(1) + "\n");
     bool drawn = true;
     for (const TradeScene& scene : scenes) drawn = plot_trade(scene, out) && drawn;
     if (!drawn && !quiet)
         fmt::print(stderr,
                    "trade: not all pictures are drawn, since gnuplot is missing or failed, or a scene has no points\n");
-    write_whole(out / "report.html", trade_page(scenes, header, out));
+    write_whole(out / "report.html", trade_page(scenes, sweep, out));
     for (const TradeScene& scene : scenes) fmt::print("{}\n", trade_table(scene));
+    if (!sweep.missing.empty()) fmt::print("{} of {} points are missing\n", sweep.missing.size(), sweep.count);
     fmt::print("{}\n", (out / "report.html").string());
 }
 
@@ -76,53 +109,29 @@ int run_trade(const TradeFlags& flags)
 {
     const Shard shard = parse_shard(flags.sweep.shard);
     const bool quiet = flags.common.quiet;
-    std::deque<SceneStudy> studies;
-    for (const std::string& name : flags.scenes.empty() ? kScenes : flags.scenes) {
-        refuse_set(flags.common, {"method", "substeps", "iterations", "tethers", "backend"}, "trade tries them all");
-        SceneRun run = prepare_run(flags.common, name);
-        if (!sets(flags.common, "threads")) run.params.threads = 1;
-        for (const SceneStudy& study : studies)
-            if (study.name() == run.scene.name)
-                throw Error(fmt::format("{}: two scenes of that name; give each once", run.scene.name));
-        studies.emplace_back(std::move(run.scene), run.params);
-    }
+    std::vector<SweepScene> scenes = scenes_of_flags(flags);
     const fs::path out = flags.sweep.out;
     make_writable_directory(out);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const std::unique_ptr<Machine> machine = machine_with_gl(quiet);
-    const Json header = header_of(studies, *machine, studies.front().asked_params(), flags.repeats);
+    const Json header = header_of(scenes, *machine, flags.repeats);
     PointStore store(out, header);
     if (!quiet) remark_on_points(store, "trade", out);
 
-    TradeOptions options;
-    options.repeats = flags.repeats;
-    options.with_gpu = machine->gl().has_value();
-    std::vector<SweepPoint> points;
-    for (SceneStudy& study : studies)
-        for (SweepPoint& point : trade_points(study, options)) points.push_back(std::move(point));
-    const bool whole = run_sweep(points, shard, store, InterruptibleProgress("trade", quiet));
+    const TradeSweep sweep = sweep_of(std::move(scenes), header);
+    const bool whole = run_sweep(sweep.points, shard, store, InterruptibleProgress("trade", quiet));
     machine->check_gl();
-    write_report(store.results(), header, out, quiet);
+    write_report(store.results(), sweep_state(header, sweep.points, store.results()), out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "trade.json"));
     return static_cast<int>(whole ? ExitCode::done : ExitCode::interrupted);
 }
 
-void add_merge_flags(CLI::App& command, MergeFlags& flags)
+SweepState report_trade(const StoredPoints& all, const fs::path& out, bool quiet)
 {
-    command.add_option("directories", flags.directories, "Directories of the parts of one sweep")->required();
-    command.add_option("--out", flags.out, "Directory for the whole")->required();
-    command.add_flag("--quiet", flags.quiet, "No talk on stderr");
-}
-
-int run_merge(const MergeFlags& flags)
-{
-    const StoredPoints all = merge_points({flags.directories.begin(), flags.directories.end()}, flags.out);
-    if (all.header.value("study", "") != "trade")
-        throw Error(fmt::format("{}: its points are of `nuno {}`, which is not to be merged", flags.directories.front(),
-                                all.header.value("study", "?")));
-    write_points(all, flags.out);
-    write_report(all.results, all.header, flags.out, flags.quiet);
-    return static_cast<int>(ExitCode::done);
+    const TradeSweep sweep = sweep_of(scenes_of(all.header), all.header);
+    SweepState state = sweep_state(all.header, sweep.points, all.results);
+    write_report(all.results, state, out, quiet);
+    return state;
 }
 
 }  // namespace nuno

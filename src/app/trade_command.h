@@ -1,12 +1,14 @@
-// `nuno trade` and `nuno merge`.
+// `nuno trade`: what accuracy costs.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/command_line.h"
 #include "app/sweep_flags.h"
+#include "study/sweep.h"
 
 namespace nuno {
 
@@ -21,14 +23,7 @@ struct TradeFlags
 void add_trade_flags(CLI::App& command, TradeFlags& flags);
 int run_trade(const TradeFlags& flags);
 
-struct MergeFlags
-{
-    std::vector<std::string> directories;
-    std::string out;
-    bool quiet = false;
-};
-
-void add_merge_flags(CLI::App& command, MergeFlags& flags);
-int run_merge(const MergeFlags& flags);
+// Writes data, pictures and the page of points that are there already; what the sweep came to.
+SweepState report_trade(const StoredPoints& all, const std::filesystem::path& out, bool quiet);
 
 }  // namespace nuno

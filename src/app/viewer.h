@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "model/sim_params.h"
 #include "render/view_params.h"
 #include "scene/scene.h"
+#include "study/promise_keeper.h"
 
 namespace nuno {
 
@@ -18,6 +20,7 @@ struct ViewerScene
     Scene scene;
     SimParams params;
     ViewParams view;
+    std::shared_ptr<PromiseKeeper> promise;  // to be kept while it runs; none: none was given
 };
 
 // Reads a scene by name or path, as the command line would. Error where it cannot be read.

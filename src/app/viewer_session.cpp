@@ -48,6 +48,7 @@ void ViewerSession::show(ViewerScene scene)
     auto simulation = std::make_unique<Simulation>(std::move(scene.scene), scene.params);
     picture_ = make_picture(*simulation);
     simulation_ = std::move(simulation);
+    promise_ = std::move(scene.promise);
     view_ = scene.view;
     file_view_ = file_view;
     started();
@@ -57,6 +58,7 @@ void ViewerSession::show(ViewerScene scene)
 void ViewerSession::started()
 {
     recorder_ = {};
+    if (promise_) promise_->restart();
     if (went_bad_) paused_ = false;
     went_bad_ = false;
     error_.clear();
@@ -97,6 +99,7 @@ std::vector<FrameStats> ViewerSession::run(Run run)
     std::vector<FrameStats> frames;
     try {
         frames = run();
+        keep_promise(frames);
     } catch (const Error& error) {
         went_bad_ = error.code() == ExitCode::went_bad;
         set_paused(true);
@@ -104,6 +107,18 @@ std::vector<FrameStats> ViewerSession::run(Run run)
     }
     log_.set_frame(simulation_->frame());
     return frames;
+}
+
+// In the window too: another setting changes what the panel shows.
+void ViewerSession::keep_promise(const std::vector<FrameStats>& frames)
+{
+    if (!promise_) return;
+    for (const FrameStats& frame : frames)
+        for (const std::string& line : promise_->look(*simulation_, frame)) {
+            if (!quiet_) fmt::print(stderr, "{}: {}\n", simulation_->scene().name, line);
+            log_.action("promise {}", line);
+            judge_stability();
+        }
 }
 
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
@@ -164,6 +179,7 @@ void ViewerSession::set_sim_param(const ParamInfo& info, double value)
     SimParams params = simulation_->asked_params();
     try {
         set_param(info, &params, value, "panel");
+        if (is_chosen_by_auto(info.name) || needs_restart(info.name)) promise_.reset();
         // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
         const ClothModel* before = &simulation_->model();
         simulation_->set_params(params);
@@ -207,8 +223,9 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
 
 void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine)
 {
-    const nlohmann::ordered_json report =
+    nlohmann::ordered_json report =
         make_report(recorder_, *simulation_, machine, params_json(view_param_table(), &view_));
+    if (promise_) report["promise"] = promise_->report();
     write_whole(path, report.dump(2) + "\n");
 }
 

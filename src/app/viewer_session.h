@@ -54,6 +54,9 @@ class ViewerSession
     void use_stable_substeps();
     void set_view_param(const ParamInfo& info, double value);
 
+    // What keeps a promise; none where none was given, or a part of it was set by hand.
+    const PromiseKeeper* promise() const { return promise_.get(); }
+
     // Writes the report of the frames since the last start.
     void write_report(const std::filesystem::path& path, const MachineInfo& machine);
 
@@ -64,6 +67,7 @@ class ViewerSession
     void tell_of_start();
     template <class Run>
     std::vector<FrameStats> run(Run run);
+    void keep_promise(const std::vector<FrameStats>& frames);
     std::vector<FrameStats> advance_recorded(double elapsed_s);
 
     ViewerLog& log_;
@@ -71,6 +75,7 @@ class ViewerSession
     bool record_, quiet_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<SceneView> picture_;
+    std::shared_ptr<PromiseKeeper> promise_;
     ViewParams view_, file_view_;
     RunRecorder recorder_;
     bool paused_, went_bad_ = false;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
 #include "core/error.h"
+#include "study/doubling_error.h"
 #include "study/trade_settings.h"
 
 namespace nuno {
@@ -21,9 +23,16 @@ constexpr double kProbeMs = 200;
 // A setting slower than this a simulated second is given up.
 constexpr double kMostMs = 20000;
 // How long the frames of a scene may take that tell what a setting costs later on [ms].
-constexpr double kLongMs = 1500;
+constexpr double kLongMs = 4000;
 // A dearer start than this many times the best cost is not looked at: probes are a little uncertain.
 constexpr double kProbeTrust = 1.3;
+// What is aimed at, of the goal: another start of the same scene is about so much off, and so are times.
+constexpr double kAim = 0.9;
+// What a run may have to go up to is looked for down to this share of the error asked for; a rung of a ladder has at most
+// this share of the error of the one before.
+constexpr double kFinerShare = 0.2, kRungShare = 0.8;
+// Estimates that the mean of a setting is of.
+constexpr int kDoublings = 8;
 
 struct Candidate
 {
@@ -100,11 +109,88 @@ double excess(const AutoGoal& goal, double error_share, double ms)
 
 bool is_better(const AutoGoal& goal, const AutoChoice& best, double error_share, double ms)
 {
-    if (best.set.empty()) return true;
+    if (best.rung.empty()) return true;
     const bool kept = goal.is_kept_by(error_share, ms);
     if (kept != best.is_kept) return kept;
     if (!kept) return excess(goal, error_share, ms) < excess(goal, best.error_share, best.ms_per_frame);
     return goal.error_share ? ms < best.ms_per_frame : error_share < best.error_share;
+}
+
+AutoGoal share_of(AutoGoal goal, double share)
+{
+    if (goal.error_share) *goal.error_share *= share;
+    if (goal.budget_ms) *goal.budget_ms *= share;
+    return goal;
+}
+
+// Looks for the best by rising cost until no cheaper one is left. All that ran to their end, on the way.
+std::vector<Rung> search(SceneStudy& study, const AutoGoal& goal, CollisionLevel level, PointStore& store,
+                         const SweepProgress& progress, AutoChoice& best)
+{
+    const std::vector<Candidate> candidates = candidates_by_cost(study, store);
+    std::vector<Rung> seen;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        const double most = goal.budget_ms ? *goal.budget_ms : best.ms_per_frame;
+        if ((goal.budget_ms || best.is_kept) && !best.rung.empty() && candidate.probe_ms > kProbeTrust * most) break;
+        if (!progress(i, candidates.size())) break;
+        const std::string id = setting_text(candidate.set);
+        best.known += store.holds(id);
+        best.tried += !store.holds(id);
+        const Json& result = stored(store, id, [&] { return measure(study, candidate.set, level); });
+        if (!result.contains("error_share")) continue;
+        const double error = result["error_share"], ms = result["ms_per_frame"];
+        seen.push_back({candidate.set, result["substeps"], error, ms, result["largest_strain"]});
+        if (!is_better(goal, best, error, ms)) continue;
+        best.rung = candidate.set;
+        best.substeps = result["substeps"];
+        best.error_share = error;
+        best.ms_per_frame = ms;
+        best.is_kept = goal.is_kept_by(error, ms);
+    }
+    return seen;
+}
+
+// Those that nothing is both cheaper and more exact than, each clearly more exact than the one before; `chosen` is kept.
+std::vector<Rung> frontier(std::vector<Rung> seen, const Setting& chosen)
+{
+    std::stable_sort(seen.begin(), seen.end(),
+                     [](const Rung& a, const Rung& b) { return a.ms_per_frame < b.ms_per_frame; });
+    const auto own = std::find_if(seen.begin(), seen.end(), [&](const Rung& rung) { return rung.set == chosen; });
+    const double error = own == seen.end() ? 0 : own->error_share;
+    std::vector<Rung> ladder;
+    for (const Rung& rung : seen) {
+        const bool is_chosen = rung.set == chosen;
+        const bool is_before = own != seen.end() && rung.ms_per_frame <= own->ms_per_frame;
+        if (!is_chosen && is_before && rung.error_share <= error) continue;
+        if (is_chosen || ladder.empty() || rung.error_share < kRungShare * ladder.back().error_share)
+            ladder.push_back(rung);
+    }
+    return ladder;
+}
+
+// Over the horizon; null where it has no number.
+Json mean_doubling_m(SceneStudy& study, const Setting& setting)
+{
+    const int frames = study.scene_class().frames, stride = std::max(1, frames / kDoublings);
+    Simulation simulation(study.scene(), with_setting(study.params(), setting));
+    ThreadPool pool(simulation.thread_count());
+    double sum = 0;
+    int count = 0;
+    try {
+        for (int frame = 1; frame < frames || count == 0; ++frame) {
+            simulation.advance_frame();
+            if (frame % stride != 0) continue;
+            const double error = doubling_error_m(simulation, pool);
+            sum += error * error;
+            ++count;
+        }
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::went_bad) throw;
+        return nullptr;
+    }
+    const double mean = std::sqrt(sum / count);
+    return std::isfinite(mean) ? Json(mean) : Json(nullptr);
 }
 
 void say_what_is_given_up(const Json& about, const SimParams& asked, AutoChoice& choice)
@@ -133,11 +219,6 @@ void say_what_is_given_up(const Json& about, const SimParams& asked, AutoChoice&
 
 }  // namespace
 
-bool AutoGoal::is_kept_by(double error, double ms) const
-{
-    return (!error_share || error <= *error_share) && (!budget_ms || ms <= *budget_ms);
-}
-
 AutoGoal auto_goal(std::optional<double> error_percent, std::optional<double> budget_ms)
 {
     if (error_percent.has_value() == budget_ms.has_value())
@@ -161,31 +242,36 @@ AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& s
     const SimParams& asked = study.asked_params();
     const Json about = stored(store, "scene", [&] { return describe(study); });
     const CollisionLevel level = about.at("meets").get<bool>() ? asked.collision : CollisionLevel::none;
-    const std::vector<Candidate> candidates = candidates_by_cost(study, store);
     AutoChoice best;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const Candidate& candidate = candidates[i];
-        const double most = goal.budget_ms ? *goal.budget_ms : best.ms_per_frame;
-        if ((goal.budget_ms || best.is_kept) && !best.set.empty() && candidate.probe_ms > kProbeTrust * most) break;
-        if (!progress(i, candidates.size())) break;
-        const std::string id = setting_text(candidate.set);
-        best.known += store.holds(id);
-        best.tried += !store.holds(id);
-        const Json& result = stored(store, id, [&] { return measure(study, candidate.set, level); });
-        if (!result.contains("error_share")) continue;
-        const double error = result["error_share"], ms = result["ms_per_frame"];
-        if (!is_better(goal, best, error, ms)) continue;
-        best.set = candidate.set;
-        best.substeps = result["substeps"];
-        best.error_share = error;
-        best.ms_per_frame = ms;
-        best.is_kept = goal.is_kept_by(error, ms);
-    }
+    search(study, share_of(goal, kAim), level, store, progress, best);
+    best.is_kept = !best.rung.empty() && goal.is_kept_by(best.error_share, best.ms_per_frame);
+    best.set = best.rung;
     if (level != asked.collision && !best.set.empty()) best.set.emplace_back("collision", level_name(level));
     if (!best.set.empty()) best.set.emplace_back("backend", "cpu");
+    best.horizon = study.scene_class();
+    best.horizon_level = study.params().collision;
     best.frames_looked_at = long_frames(study);
     say_what_is_given_up(about, asked, best);
     return best;
+}
+
+std::vector<Rung> ladder_around(SceneStudy& study, const AutoGoal& goal, const AutoChoice& choice, PointStore& store,
+                                const SweepProgress& progress)
+{
+    if (choice.rung.empty()) return {};
+    const bool meets = stored(store, "scene", [&] { return describe(study); }).at("meets");
+    const CollisionLevel level = meets ? study.asked_params().collision : CollisionLevel::none;
+    const AutoGoal finer = goal.error_share ? share_of(goal, kFinerShare) : goal;
+    AutoChoice finest;
+    std::vector<Rung> ladder = frontier(search(study, finer, level, store, progress, finest), choice.rung);
+    if (!goal.error_share) return ladder;
+    for (Rung& rung : ladder) {
+        const Json& result = stored(store, "doubling/" + setting_text(rung.set), [&] {
+            return Json{{"m", mean_doubling_m(study, rung.set)}};
+        });
+        rung.doubling_m = result.at("m").is_number() ? result["m"].get<double>() : 0;
+    }
+    return ladder;
 }
 
 }  // namespace nuno

@@ -1,6 +1,8 @@
 // The CPU against the GPU.
 #include "study/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +10,21 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
+#include "model/oscillator.h"
 #include "model/stability.h"
 #include "sim/simulation.h"
 #include "solver/method_choice.h"
 #include "solver/method_table.h"
+#include "study/trade_settings.h"
 
 namespace nuno {
 namespace {
 
 constexpr int kMostTimedFrames = 24, kLeastTimedFrames = 4, kFramesATurn = 4;
-constexpr double kTimeForFramesMs = 1500;  // for both backends of one point
+// For both backends of one point: where a scene has one method, and where it has many.
+constexpr double kFramesMs = 1500, kFramesOfManyMs = 400;
+// A frame; a method that needs more is left out where every one is tried.
+constexpr int kMostSubsteps = 2000;
 
 double median(std::vector<double> values)
 {
@@ -43,12 +50,13 @@ BackendCost cost_of(const std::vector<FrameStats>& frames, std::uint32_t particl
 SimParams on(Backend backend, SimParams params)
 {
     params.backend = backend;
+    params.sleep_motion = 0;  // times are those of cloth in motion
     return params;
 }
 
 // Whole frames on both backends, some at a turn, since each leaves the processor's caches and threads to the other:
 // times, and the hashes at the end.
-void time_frames(const Scene& scene, const SimParams& params, ComparePoint& point)
+void time_frames(const Scene& scene, const SimParams& params, double enough_ms, ComparePoint& point)
 {
     Simulation cpu(scene, on(Backend::cpu, params)), gpu(scene, on(Backend::gpu, params));
     cpu.advance_frame();
@@ -56,7 +64,7 @@ void time_frames(const Scene& scene, const SimParams& params, ComparePoint& poin
     std::vector<FrameStats> cpu_frames, gpu_frames;
     Stopwatch watch;
     while (point.timed_frames < kMostTimedFrames &&
-           (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < kTimeForFramesMs))
+           (point.timed_frames < kLeastTimedFrames || watch.elapsed_ms() < enough_ms))
     {
         for (int k = 0; k < kFramesATurn; ++k) cpu_frames.push_back(cpu.advance_frame());
         for (int k = 0; k < kFramesATurn; ++k) gpu_frames.push_back(gpu.advance_frame());
@@ -99,23 +107,94 @@ void compare_substeps(const ClothModel& model, const Bodies& bodies, const SimPa
     }
 }
 
-ComparePoint compare_point(const Scene& scene, SimParams params, int size)
+bool has_grid(const Scene& scene)
+{
+    return std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const SheetSpec& s) { return s.mesh.empty(); });
+}
+
+std::vector<int> sizes_of(const Scene& scene, std::span<const int> sizes)
+{
+    return has_grid(scene) ? std::vector<int>(sizes.begin(), sizes.end()) : std::vector<int>{0};
+}
+
+// Left to themselves the backends take their constraints in different orders.
+void sweep_in_one_order(SimParams& params)
+{
+    if (params.method == Method::xpbd && params.sweep == Sweep::automatic) params.sweep = Sweep::coloured;
+}
+
+ClothModel model_of(const CompareCase& c, SimParams& params)
+{
+    params = c.params;
+    if (c.size > 0) params.resolution = c.size;
+    return build_cloth_model(make_sheets(*c.scene, params), params.mass_lumping);
+}
+
+std::string why_left_out(const CompareCase& c, const MethodInfo& info)
+{
+    if (!can_run(info, c.params)) return "does not take the scene's parameters";
+    if (!is_explicit(info.method)) return "";
+    SimParams params;
+    const ClothModel model = model_of(c, params);
+    const int least = least_stable_substeps(model, params);
+    if (least == 0) return "holds with no number of substeps";
+    return least > kMostSubsteps ? fmt::format("needs {} substeps a frame", least) : "";
+}
+
+}  // namespace
+
+std::string CompareCase::id() const
+{
+    return fmt::format("{}/{}/{}", scene->name, choice_names(Method{})[std::size_t(params.method)], size);
+}
+
+std::vector<CompareCase> compare_cases(const std::vector<std::pair<Scene, SimParams>>& runs, std::span<const int> sizes)
+{
+    std::vector<CompareCase> cases;
+    for (const auto& [scene, params] : runs)
+        for (const int size : sizes_of(scene, sizes)) cases.push_back({&scene, params, size, kFramesMs});
+    return cases;
+}
+
+MethodCases method_cases(const std::vector<std::pair<Scene, SimParams>>& runs, std::span<const Method> methods,
+                         std::span<const int> sizes)
+{
+    MethodCases found;
+    for (const MethodInfo& info : method_table())
+        if (methods.empty() && !info.on(Backend::gpu))
+            found.left_out.push_back(fmt::format("{}: runs on the CPU alone", info.name));
+    for (const auto& [scene, params] : runs)
+        for (const int size : sizes_of(scene, sizes))
+            for (const MethodInfo& info : method_table()) {
+                if (!info.on(Backend::cpu) || !info.on(Backend::gpu)) continue;
+                if (!methods.empty() && std::find(methods.begin(), methods.end(), info.method) == methods.end())
+                    continue;
+                const CompareCase c{&scene, with_setting(params, of_method(info, params)), size, kFramesOfManyMs};
+                const std::string reason = why_left_out(c, info);
+                if (reason.empty())
+                    found.cases.push_back(c);
+                else
+                    found.left_out.push_back(fmt::format("{}, {}, {}: {}", scene.name, info.name, size, reason));
+            }
+    return found;
+}
+
+ComparePoint compare_point(const CompareCase& c)
 {
     ComparePoint point;
-    point.scene = scene.name;
-    point.size = size;
-    if (size > 0) params.resolution = size;
-    const ClothModel model = build_cloth_model(make_sheets(scene, params), params.mass_lumping);
-    params = resolve_params(model, scene.bodies, params);
-    // Left to themselves the backends take their constraints in different orders.
-    if (params.method == Method::xpbd && params.sweep == Sweep::automatic) params.sweep = Sweep::coloured;
+    point.scene = c.scene->name;
+    point.size = c.size;
+    SimParams params;
+    const ClothModel model = model_of(c, params);
+    params = resolve_params(model, c.scene->bodies, params);
+    sweep_in_one_order(params);
     params.substeps = std::max(params.substeps, least_stable_substeps(model, params));
     point.particles = model.vertex_count();
     point.method = params.method;
     point.substeps = params.substeps;
-    compare_substeps(model, scene.bodies, params, point);
+    compare_substeps(model, c.scene->bodies, params, point);
     try {
-        time_frames(scene, params, point);
+        time_frames(*c.scene, params, c.frames_ms, point);
     } catch (const Error& error) {
         if (error.code() != ExitCode::went_bad) throw;
         point.failure = error.what();
@@ -123,32 +202,14 @@ ComparePoint compare_point(const Scene& scene, SimParams params, int size)
     return point;
 }
 
-bool has_grid(const Scene& scene)
-{
-    return std::any_of(scene.sheets.begin(), scene.sheets.end(), [](const SheetSpec& s) { return s.mesh.empty(); });
-}
-
-}  // namespace
-
 std::vector<ComparePoint> compare_backends(const std::vector<std::pair<Scene, SimParams>>& runs,
                                            std::span<const int> sizes, const CompareProgress& progress)
 {
-    struct Job
-    {
-        const Scene* scene;
-        const SimParams* params;
-        int size;
-    };
-    std::vector<Job> jobs;
-    for (const auto& [scene, params] : runs) {
-        if (!has_grid(scene)) jobs.push_back({&scene, &params, 0});
-        for (const int size : sizes)
-            if (has_grid(scene)) jobs.push_back({&scene, &params, size});
-    }
+    const std::vector<CompareCase> cases = compare_cases(runs, sizes);
     std::vector<ComparePoint> points;
-    for (const Job& job : jobs) {
-        if (!progress(int(points.size()), int(jobs.size()), job.scene->name + " " + std::to_string(job.size))) break;
-        points.push_back(compare_point(*job.scene, *job.params, job.size));
+    for (const CompareCase& c : cases) {
+        if (!progress(int(points.size()), int(cases.size()), c.scene->name + " " + std::to_string(c.size))) break;
+        points.push_back(compare_point(c));
     }
     return points;
 }

@@ -41,6 +41,33 @@ struct ComparePoint
     double ratio() const { return cpu.frame_ms > 0 ? gpu.frame_ms / cpu.frame_ms : 0; }
 };
 
+// What is run at one point.
+struct CompareCase
+{
+    const Scene* scene;  // must outlive it
+    SimParams params;
+    int size;                // vertices along the longer side; 0: the mesh of the scene
+    double frames_ms;        // for the timed frames of both backends; four frames at least
+    std::string id() const;  // "seed/verlet/33", with the method as asked for
+};
+
+// Each scene with its own method at each size. `runs` must outlive the cases.
+std::vector<CompareCase> compare_cases(const std::vector<std::pair<Scene, SimParams>>& runs,
+                                       std::span<const int> sizes);
+
+// Each scene with each of some methods, and why any of these is left out.
+struct MethodCases
+{
+    std::vector<CompareCase> cases;
+    std::vector<std::string> left_out;  // "twist, xpbd, 33: ..."
+};
+// `methods`: those that are asked for; none: all that both backends have.
+MethodCases method_cases(const std::vector<std::pair<Scene, SimParams>>& runs, std::span<const Method> methods,
+                         std::span<const int> sizes);
+
+// Runs one, on both backends. An OpenGL context must be current.
+ComparePoint compare_point(const CompareCase& c);
+
 // Called before each point; false ends the study with what is done.
 using CompareProgress = std::function<bool(int done, int total, const std::string& what)>;
 
@@ -55,5 +82,7 @@ bool backends_agree(const std::vector<ComparePoint>& points, bool software_gl);
 
 std::string compare_table(const std::vector<ComparePoint>& points, bool software_gl);
 nlohmann::ordered_json compare_json(const std::vector<ComparePoint>& points);
+// A point of compare_json.
+ComparePoint compare_point_of(const nlohmann::ordered_json& point);
 
 }  // namespace nuno

@@ -1,6 +1,7 @@
 // The comparison as a table and as JSON.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "study/compare.h"
@@ -75,6 +76,40 @@ Json compare_json(const std::vector<ComparePoint>& points)
                         {"frame_hashes_agree", p.frame_hashes_agree}});
     }
     return list;
+}
+
+namespace {
+
+BackendCost cost_of(const Json& json)
+{
+    BackendCost cost;
+    for (const StageInfo& stage : kStages) cost.stage_ms.*stage.ms = json.at("stage_ms").at(stage.name);
+    cost.frame_ms = json.at("frame_ms");
+    cost.ns_per_particle_and_substep = json.at("ns_per_particle_and_substep");
+    return cost;
+}
+
+}  // namespace
+
+ComparePoint compare_point_of(const Json& json)
+{
+    ComparePoint p;
+    p.scene = json.at("scene");
+    p.size = json.at("size");
+    p.particles = json.at("particles");
+    const auto names = choice_names(Method{});
+    p.method = Method(std::find(names.begin(), names.end(), json.at("method").get<std::string>()) - names.begin());
+    p.substeps = json.at("substeps");
+    p.timed_frames = json.at("timed_frames");
+    p.cpu = cost_of(json.at("cpu"));
+    p.gpu = cost_of(json.at("gpu"));
+    for (std::size_t k = 0; k < kComparedSubsteps.size(); ++k)
+        p.largest_difference_m[k] =
+            json.at("largest_difference_m_after_substeps").at(std::to_string(kComparedSubsteps[k]));
+    p.failure = json.at("failure");
+    p.substep_hashes_agree = json.at("substep_hashes_agree");
+    p.frame_hashes_agree = json.at("frame_hashes_agree");
+    return p;
 }
 
 }  // namespace nuno

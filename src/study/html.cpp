@@ -60,6 +60,17 @@ std::string html_picture(const std::filesystem::path& svg, std::string_view capt
                        begin == text.npos ? text : text.substr(begin), caption);
 }
 
+std::string html_missing(const std::vector<std::string>& ids, std::size_t of_all)
+{
+    if (ids.empty()) return "";
+    std::string list;
+    for (const std::string& id : ids) list += html_text(id) + "\n";
+    return fmt::format(
+        "<p><b>Not the whole sweep: {} of {} points are missing.</b></p><details><summary>Which</summary>"
+        "<pre>{}</pre></details>\n",
+        ids.size(), of_all, list);
+}
+
 std::string html_page(std::string_view title, std::string_view body)
 {
     return fmt::format(

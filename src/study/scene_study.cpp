@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/error.h"
 #include "sim/simulation.h"
 #include "solver/method_choice.h"
 
@@ -82,6 +81,7 @@ SceneStudy::SceneStudy(Scene scene, const SimParams& params) : scene_(std::move(
 {
     params_.backend = base_.backend = Backend::cpu;
     params_.count_pass_through = base_.count_pass_through = 0;
+    params_.sleep_motion = base_.sleep_motion = 0;  // costs are those of cloth in motion
 }
 
 const SimParams& SceneStudy::params()
@@ -98,7 +98,20 @@ const Trajectory& SceneStudy::reference()
 
 const SceneClass& SceneStudy::scene_class()
 {
+    if (failure_) throw *failure_;
     if (class_) return *class_;
+    try {
+        classify();
+    } catch (const Error& error) {
+        class_.reset();
+        failure_ = error;
+        throw;
+    }
+    return *class_;
+}
+
+void SceneStudy::classify()
+{
     class_.emplace();
     const ClothModel model = build_cloth_model(make_sheets(scene_, params_), params_.mass_lumping);
     class_->size_m = cloth_size(model);
@@ -109,7 +122,6 @@ const SceneClass& SceneStudy::scene_class()
     swept.method = Method::xpbd;
     class_->is_tethered = takes_xpbd(params_) && resolve_params(model, scene_.bodies, swept).tethers != Tethers::none;
     find_horizon();
-    return *class_;
 }
 
 void SceneStudy::find_horizon()

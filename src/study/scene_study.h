@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "study/trajectory.h"
 
 namespace nuno {
@@ -40,16 +41,19 @@ class SceneStudy
     // The base of all points: collision is none where layers do not come near within the horizon.
     const SimParams& params();
     const SimParams& asked_params() const { return params_; }
+    // Error where a run that it needs goes bad, as often as it is asked.
     const SceneClass& scene_class();
     // Converged, on the mesh of the scene.
     const Trajectory& reference();
 
   private:
+    void classify();
     void find_horizon();
 
     Scene scene_;
     SimParams params_, base_;
     std::optional<SceneClass> class_;
+    std::optional<Error> failure_;  // of the reference; it is not tried twice
     Trajectory reference_;
 };
 

@@ -66,12 +66,18 @@ std::string deviation_text(const MapSummary& s) { return s.limits > 0 ? percent(
 
 }  // namespace
 
-bool holds(const StabilityScene& scene)
+std::optional<bool> holds(const StabilityScene& scene)
 {
     const std::vector<MapSummary> summaries = summarise(*scene.maps, scene.results);
     const ExtremeCount n = count_extremes(scene);
-    return n.as_expected + n.missing == n.cases &&
-           std::all_of(summaries.begin(), summaries.end(), [](const MapSummary& s) { return s.holds(); });
+    if (n.as_expected + n.missing < n.cases ||
+        !std::all_of(summaries.begin(), summaries.end(), [](const MapSummary& s) { return s.holds(); }))
+        return false;
+    const std::vector<SweepPoint> points = scene.maps->points();
+    const bool is_whole = n.missing == 0 && std::all_of(points.begin(), points.end(), [&](const SweepPoint& point) {
+                              return scene.results.count(point.id) > 0;
+                          });
+    return is_whole ? std::optional(true) : std::nullopt;
 }
 
 std::string stability_table(const StabilityScene& scene)
@@ -129,7 +135,10 @@ Json stability_json(const std::vector<StabilityScene>& scenes)
             const auto found = scene.results.find(c.id);
             if (found != scene.results.end()) extremes[c.id] = found->second;
         }
-        list.push_back({{"scene", scene.name()}, {"holds", holds(scene)}, {"maps", maps}, {"extremes", extremes}});
+        list.push_back({{"scene", scene.name()},
+                        {"holds", holds(scene) ? Json(*holds(scene)) : Json()},
+                        {"maps", maps},
+                        {"extremes", extremes}});
     }
     return list;
 }
@@ -198,13 +207,14 @@ constexpr std::string_view kHowToRead =
 
 }  // namespace
 
-std::string stability_page(const std::vector<StabilityScene>& scenes, const Json& header, const fs::path& directory)
+std::string stability_page(const std::vector<StabilityScene>& scenes, const SweepState& sweep,
+                           const fs::path& directory)
 {
-    std::string body(kHowToRead);
+    std::string body = html_missing(sweep.missing, sweep.count) + std::string(kHowToRead);
     for (const StabilityScene& scene : scenes)
         body += fmt::format("<h2>{}</h2>\n<h3>Maps</h3>\n{}<h3>Extremes</h3>\n{}", html_text(scene.name()),
                             maps_section(scene, directory), extremes_section(scene));
-    body += "<h2>How it was measured</h2>\n<pre>" + html_text(header.dump(1)) + "</pre>\n";
+    body += "<h2>How it was measured</h2>\n<pre>" + html_text(sweep.header.dump(1)) + "</pre>\n";
     return html_page("nuno: stability", body);
 }
 

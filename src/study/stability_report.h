@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct StabilityScene
     const std::string& name() const { return maps->name(); }
 };
 
-// Whether measured limits are as predicted, and extremes ended as expected; parts that are missing say nothing.
-bool holds(const StabilityScene& scene);
+// Whether measured limits are as predicted, and extremes ended as expected. False where one is not; unknown where none
+// is against it but some are missing.
+std::optional<bool> holds(const StabilityScene& scene);
 
 std::string stability_table(const StabilityScene& scene);  // for people, a line a map
 std::string stability_csv(const std::vector<StabilityScene>& scenes);
@@ -30,7 +32,7 @@ nlohmann::ordered_json stability_json(const std::vector<StabilityScene>& scenes)
 // Draws the maps into the directory; false where gnuplot is missing or fails.
 bool draw_stability(const StabilityScene& scene, const std::filesystem::path& directory);
 // The page, with the pictures of the directory in it.
-std::string stability_page(const std::vector<StabilityScene>& scenes, const nlohmann::ordered_json& header,
+std::string stability_page(const std::vector<StabilityScene>& scenes, const SweepState& sweep,
                            const std::filesystem::path& directory);
 
 }  // namespace nuno

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <optional>
 
 #include "core/error.h"
 
@@ -35,6 +36,24 @@ std::vector<const SweepPoint*> open_points(const std::vector<SweepPoint>& points
 
 }  // namespace
 
+SweepState sweep_state(const nlohmann::ordered_json& header, const std::vector<SweepPoint>& points,
+                       const std::map<std::string, nlohmann::ordered_json>& results)
+{
+    SweepState state{header, points.size(), {}};
+    for (const SweepPoint& point : points)
+        if (results.count(point.id) == 0) state.missing.push_back(point.id);
+    return state;
+}
+
+std::string missing_text(const SweepState& state, std::size_t most)
+{
+    if (state.missing.empty()) return "";
+    std::string text = fmt::format("{} of {} points are missing: ", state.missing.size(), state.count);
+    const std::size_t named = std::min(most, state.missing.size());
+    for (std::size_t i = 0; i < named; ++i) text.append(i > 0 ? ", " : "").append(state.missing[i]);
+    return named == state.missing.size() ? text : fmt::format("{} and {} more", text, state.missing.size() - named);
+}
+
 bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& store, const SweepProgress& progress)
 {
     const std::vector<const SweepPoint*> open = open_points(points, shard, store);
@@ -50,16 +69,22 @@ bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& s
 {
     const std::vector<const SweepPoint*> open = open_points(points, shard, store);
     const auto at_once = std::size_t(pool.thread_count()) * 16;
-    for (std::size_t done = 0; done < open.size();) {
+    std::atomic<bool> goes_on{true};
+    for (std::size_t done = 0; done < open.size() && goes_on; done += at_once) {
         if (!progress(done, open.size())) return false;
-        std::vector<nlohmann::ordered_json> results(std::min(at_once, open.size() - done));
+        std::vector<std::optional<nlohmann::ordered_json>> results(std::min(at_once, open.size() - done));
         std::atomic<std::size_t> next{0};
-        pool.run([&](int) {
-            for (std::size_t i = next++; i < results.size(); i = next++) results[i] = open[done + i]->measure();
+        pool.run([&](int thread) {
+            for (std::size_t i = next++; i < results.size(); i = next++) {
+                if (thread == 0 && !progress(done + i, open.size())) goes_on = false;
+                if (!goes_on) return;
+                results[i] = open[done + i]->measure();
+            }
         });
-        for (const nlohmann::ordered_json& result : results) store.add(open[done++]->id, result);
+        for (std::size_t i = 0; i < results.size(); ++i)
+            if (results[i]) store.add(open[done + i]->id, *results[i]);
     }
-    return true;
+    return goes_on;
 }
 
 }  // namespace nuno

@@ -28,6 +28,19 @@ struct SweepPoint
     std::function<nlohmann::ordered_json()> measure;
 };
 
+// How far a sweep has come.
+struct SweepState
+{
+    nlohmann::ordered_json header;     // of its store
+    std::size_t count = 0;             // of all points
+    std::vector<std::string> missing;  // ids of those without a result
+};
+SweepState sweep_state(const nlohmann::ordered_json& header, const std::vector<SweepPoint>& points,
+                       const std::map<std::string, nlohmann::ordered_json>& results);
+
+// "3 of 8 points are missing: a, b and 1 more", naming `most` of them; empty where none is.
+std::string missing_text(const SweepState& state, std::size_t most);
+
 // Called before each point that is measured; false ends the sweep with what is done.
 using SweepProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
@@ -35,7 +48,7 @@ using SweepProgress = std::function<bool(std::size_t done, std::size_t total)>;
 bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& store, const SweepProgress& progress);
 
 // The same on all threads of a pool, for points whose results are no times; they are written in the order of the
-// points, some at once.
+// points, some at once. `progress` is asked on one thread alone, as often as that begins a point.
 bool run_sweep(const std::vector<SweepPoint>& points, Shard shard, PointStore& store, ThreadPool& pool,
                const SweepProgress& progress);
 

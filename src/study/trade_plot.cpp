@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "study/gnuplot.h"
@@ -34,13 +35,66 @@ std::vector<Curve> curves_of(const TradeScene& scene)
     return list;
 }
 
+// Marks of the variants of a method: discs, rings, squares and so on of gnuplot.
+constexpr int kMarks[] = {7, 6, 5, 4, 9, 8};
+
 std::string block(std::string_view name, const std::vector<const TradePoint*>& points)
 {
     std::string text = fmt::format("${} << END\n", name);
-    for (const TradePoint* p : points)
-        text += fmt::format("{} {} \"{} {}\"\n", 100 * p->error_share, p->ms_per_second, p->set.front().second,
-                            p->substeps);
+    for (const TradePoint* p : points) text += fmt::format("{} {}\n", 100 * p->error_share, p->ms_per_second);
     return text + "END\n";
+}
+
+// The points of the front by number, and in the legend what each is.
+std::string numbers(const std::vector<const TradePoint*>& front)
+{
+    std::string text = ", \\\n     $front using 1:2 with points pt 7 ps 2.6 lc '#ffffff' notitle";
+    text += ", \\\n     $front using 1:2 with points pt 6 ps 2.6 lw 1.3 lc '#000000' notitle";
+    text += ", \\\n     $front using 1:2:($0 + 1) with labels font ',10' notitle";
+    for (std::size_t i = 0; i < front.size(); ++i)
+        text += fmt::format(", \\\n     NaN with points pt 6 ps 1.2 lc '#000000' title '{}: {} x{}'", i + 1,
+                            gnuplot_quoted(front[i]->variant), front[i]->substeps);
+    return text;
+}
+
+struct Range
+{
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
+};
+
+// Upright lines where a coarser mesh is wrong by so much itself.
+std::string mesh_errors(const TradeScene& scene)
+{
+    std::string text;
+    const auto found = scene.others.find("space");
+    if (found == scene.others.end()) return text;
+    for (const nlohmann::ordered_json& r : found->second)
+        if (r.contains("error_share"))
+            text += fmt::format(
+                "set arrow from first {0:g}, graph 0 to first {0:g}, graph 1 nohead dt 2 lc '#999999' back\n"
+                "set label 'mesh of {1} a side' at first {0:g}, graph 0.98 right rotate offset -0.7,0 font ',10' "
+                "tc '#777777' noenhanced\n",
+                100 * r["error_share"].get<double>(), r["set"]["resolution"].get<std::string>());
+    return text;
+}
+
+// Axes, title and legend.
+std::string frame(const TradeScene& scene, const std::vector<Curve>& curves)
+{
+    Range error, ms;
+    for (const Curve& curve : curves)
+        for (const TradePoint* point : curve.points) {
+            error.add(point->error_share);
+            ms.add(point->ms_per_second);
+        }
+    return fmt::format(
+        "set logscale xy\nset grid lc '#dddddd'\nset key outside right top Left reverse samplen 3 spacing 1.15 font "
+        "',11' noenhanced\nset title '{}: what accuracy costs' font ',14' noenhanced\n"
+        "set xlabel 'error in time: rms distance from the converged run, percent of the size of the cloth'\n"
+        "set ylabel 'cost: ms of one simulated second'\nset xtics format '%g'\nset ytics format '%g'\n"
+        "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n",
+        gnuplot_quoted(scene.name), 50 * error.least, 400 * error.largest, 0.6 * ms.least, 1.6 * ms.largest);
 }
 
 }  // namespace
@@ -55,35 +109,19 @@ bool plot_trade(const TradeScene& scene, const std::filesystem::path& directory)
     std::sort(front.begin(), front.end(),
               [](const TradePoint* a, const TradePoint* b) { return a->error_share < b->error_share; });
 
-    std::vector<double> errors, costs;
-    for (const Curve& curve : curves)
-        for (const TradePoint* point : curve.points) {
-            errors.push_back(point->error_share);
-            costs.push_back(point->ms_per_second);
-        }
-    const auto [least_error, largest_error] = std::minmax_element(errors.begin(), errors.end());
-    const auto [least_ms, largest_ms] = std::minmax_element(costs.begin(), costs.end());
-    std::string script = fmt::format(
-        "set logscale xy\nset grid\nset key outside right top Left reverse samplen 2 font ',10' noenhanced\nset "
-        "title 'nuno trade: {}'  noenhanced\n"
-        "set xlabel 'error in time: rms distance from the converged run, percent of the size of the cloth'\n"
-        "set ylabel 'cost: ms of one simulated second'\nset xtics format '%g'\nset ytics format '%g'\n"
-        "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n",
-        gnuplot_quoted(scene.name), 50 * *least_error, 800 * *largest_error, 0.6 * *least_ms, 1.6 * *largest_ms);
-    script += block("front", front);
-    std::string plot = "plot $front using 1:2 with lines lw 8 lc '#dddddd' title 'Pareto front'";
-    std::map<std::string, std::size_t> methods;
-    std::map<std::string, int> variants;
+    std::string script = frame(scene, curves) + mesh_errors(scene) + block("front", front);
+    std::string plot = "plot $front using 1:2 with lines lw 10 lc '#dddddd' title 'Pareto front'";
+    std::map<std::string, std::size_t> methods, variants;
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const std::size_t method = methods.emplace(curves[c].method, methods.size()).first->second;
+        const std::size_t variant = variants[curves[c].method]++;
         script += block(fmt::format("curve{}", c), curves[c].points);
-        plot += fmt::format(", \\\n     $curve{} using 1:2 with linespoints lc '{}' pt 7 ps 0.6 dt {} title '{}'", c,
-                            kColours[method % std::size(kColours)], ++variants[curves[c].method],
-                            gnuplot_quoted(curves[c].variant));
+        plot +=
+            fmt::format(", \\\n     $curve{} using 1:2 with linespoints lw 1.3 lc '{}' pt {} ps 0.8 dt {} title '{}'",
+                        c, kColours[method % std::size(kColours)], kMarks[variant % std::size(kMarks)], variant + 1,
+                        gnuplot_quoted(curves[c].variant));
     }
-    plot += ", \\\n     $front using 1:2 with points pt 6 ps 1.6 lc '#000000' notitle";
-    plot += ", \\\n     $front using 1:2:3 with labels left offset 1,0.4 font ',9' noenhanced notitle";
-    return draw_with_gnuplot(directory, "trade-" + scene.name, script + plot, 1200, 700);
+    return draw_with_gnuplot(directory, "trade-" + scene.name, script + plot + numbers(front), 1200, 760);
 }
 
 }  // namespace nuno

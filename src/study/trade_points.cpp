@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/error.h"
 #include "sim/run_recorder.h"
 #include "study/grid_poses.h"
 #include "study/run_measures.h"
@@ -55,7 +56,7 @@ Json measure_space(SceneStudy& study, int resolution)
     params.resolution = resolution;
     const int frames = study.scene_class().frames;
     const Trajectory coarse = run_trajectory(study.scene(), reference_params(params), frames);
-    Json result{{"resolution", resolution}};
+    Json result{{"set", setting_json({{"resolution", std::to_string(resolution)}})}};
     if (coarse.frames() < frames) return result["failure"] = coarse.failure, result;
     const double rms = rms_of_grids(make_sheets(study.scene(), params), coarse,
                                     make_sheets(study.scene(), study.params()), study.reference(), frames);
@@ -181,43 +182,55 @@ std::vector<Setting> each(std::string name, const std::vector<std::string>& valu
     return settings;
 }
 
+// A run that goes bad, that of the reference included, is what was found at this point.
+Json measured(const std::function<Json()>& measure, const Setting& setting)
+{
+    try {
+        return measure();
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::went_bad) throw;
+        return {{"set", setting_json(setting)}, {"failure", error.what()}};
+    }
+}
+
 }  // namespace
 
 std::vector<SweepPoint> trade_points(SceneStudy& study, const TradeOptions& options)
 {
     std::vector<SweepPoint> points;
-    const auto add = [&](const std::string& kind, const std::string& what, std::function<Json()> measure) {
-        points.push_back({study.name() + "/" + kind + (what.empty() ? "" : "/" + what), std::move(measure)});
+    const auto add = [&](const std::string& kind, const Setting& setting, std::function<Json()> measure) {
+        const std::string id =
+            fmt::format("{}/{}{}{}", study.name(), kind, setting.empty() ? "" : "/", setting_text(setting));
+        points.push_back({id, [measure = std::move(measure), setting] { return measured(measure, setting); }});
     };
     const SimParams asked = study.asked_params();
     const std::vector<SheetSource> sheets = make_sheets(study.scene(), asked);
     const ClothModel model = build_cloth_model(sheets, asked.mass_lumping);
-    add("scene", "", [&study] { return class_json(study.scene_class(), study.params()); });
+    add("scene", {}, [&study] { return class_json(study.scene_class(), study.params()); });
     for (const Setting& setting : settings_in_time(model, study.scene().bodies, asked))
-        add("time", setting_text(setting),
-            [&study, setting, options] { return measure_time(study, setting, options); });
+        add("time", setting, [&study, setting, options] { return measure_time(study, setting, options); });
     const int side = longest_side(sheets);
     for (const int resolution : {side / 2, side / 4})
         if (resolution >= 5)
-            add("space", std::to_string(resolution), [&study, resolution] { return measure_space(study, resolution); });
+            add("space", {{"resolution", std::to_string(resolution)}},
+                [&study, resolution] { return measure_space(study, resolution); });
     for (const Setting& setting : other_models(asked))
-        add("model", setting_text(setting), [&study, setting] { return measure_model(study, setting); });
+        add("model", setting, [&study, setting] { return measure_model(study, setting); });
     std::vector<std::string> levels;
     for (const std::string_view level : choice_names(CollisionLevel{})) levels.emplace_back(level);
     for (const Setting& setting : each("collision", levels))
-        add("level", setting_text(setting), [&study, setting] {
+        add("level", setting, [&study, setting] {
             Setting sound = setting;
             sound.emplace_back("culling", "sound");
             return measure_cost(study, sound, true);
         });
     for (const Setting& setting : each("threads", {"1", "0"}))
-        add("threads", setting_text(setting), [&study, setting] { return measure_cost(study, setting, false); });
+        add("threads", setting, [&study, setting] { return measure_cost(study, setting, false); });
     for (const Setting& setting : each("backend", {"cpu", "gpu"}))
         if (options.with_gpu || setting[0].second == "cpu")
-            add("backend", setting_text(setting), [&study, setting] { return measure_cost(study, setting, false); });
+            add("backend", setting, [&study, setting] { return measure_cost(study, setting, false); });
     for (const Setting& setting : settings_by_method(model, study.scene().bodies, asked))
-        add("long", setting_text(setting),
-            [&study, setting, options] { return measure_long(study, setting, options); });
+        add("long", setting, [&study, setting, options] { return measure_long(study, setting, options); });
     return points;
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "study/html.h"
@@ -12,7 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+// Two digits, and no powers of ten for what is large.
+std::string plain(double value)
+{
+    return std::abs(value) < 99.5 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
+std::string percent(double share) { return plain(100 * share) + " %"; }
 std::string code(std::string_view text) { return "<code>" + html_text(text) + "</code>"; }
 
 std::string words(const Json& result)
@@ -37,6 +44,9 @@ std::string reason(const Json& result)
 
 std::string class_text(const Json& c)
 {
+    if (c.contains("failure"))
+        return "<p>There is nothing to hold errors against, as a run of the reference went bad: " + reason(c) +
+               "</p>\n";
     const double seconds = c.value("frames", 0) / c.value("frame_rate", 60.0);
     std::string text = fmt::format("<p>{} particles, {:.3g} m. Positions are compared over {} frames ({:.2g} s)",
                                    c.value("particles", 0), c.value("size_m", 0.0), c.value("frames", 0), seconds);
@@ -64,7 +74,7 @@ std::string picks(const TradeScene& scene)
             rows.push_back({percent(target), "-", "-", "-", "-", "none of those tried"});
         else
             rows.push_back({percent(target), percent(p->error_share), percent(p->largest_share),
-                            fmt::format("{:.3g}", p->ms_per_second), fmt::format("{:.3g}", 1000 / p->ms_per_second),
+                            fmt::format("{:.3g}", p->ms_per_second), plain(1000 / p->ms_per_second),
                             code(setting_text(p->set))});
     }
     return html_table({"error asked for", "measured, rms", "largest", "ms a second", "times real time", "setting"},
@@ -98,12 +108,10 @@ const std::vector<Json>& of_kind(const TradeScene& scene, const std::string& kin
 std::string other_errors(const TradeScene& scene)
 {
     std::vector<std::vector<std::string>> rows;
-    for (const Json& r : of_kind(scene, "space"))
-        rows.push_back({"space", code(fmt::format("resolution={}", r.at("resolution").get<int>())),
-                        r.contains("error_share") ? percent(r["error_share"]) : "-", reason(r)});
-    for (const Json& r : of_kind(scene, "model"))
-        rows.push_back(
-            {"model", code(words(r)), r.contains("error_share") ? percent(r["error_share"]) : "-", reason(r)});
+    for (const char* kind : {"space", "model"})
+        for (const Json& r : of_kind(scene, kind))
+            rows.push_back(
+                {kind, code(words(r)), r.contains("error_share") ? percent(r["error_share"]) : "-", reason(r)});
     if (rows.empty()) return "";
     return "<h3>Errors in space and of the model</h3><p>Each converged in time, against the mesh and the model of "
            "the scene, "
@@ -111,10 +119,21 @@ std::string other_errors(const TradeScene& scene)
            html_table({"error", "with", "rms", ""}, rows);
 }
 
+// From the cheapest level to the surest.
+std::vector<Json> by_level(std::vector<Json> results)
+{
+    const auto names = choice_names(CollisionLevel{});
+    const auto rank = [&](const Json& r) {
+        return std::find(names.begin(), names.end(), r["set"]["collision"].get<std::string>());
+    };
+    std::sort(results.begin(), results.end(), [&](const Json& a, const Json& b) { return rank(a) < rank(b); });
+    return results;
+}
+
 std::string levels(const TradeScene& scene)
 {
     std::vector<std::vector<std::string>> rows;
-    for (const Json& r : of_kind(scene, "level"))
+    for (const Json& r : by_level(of_kind(scene, "level")))
         rows.push_back({code(words(r)), number(r, "ms_per_frame"), number(r, "poses_looked_at", "{:.0f}"),
                         number(r, "poses_that_intersect", "{:.0f}"), number(r, "intersections_per_pose", "{:.1f}"),
                         r.contains("largest_strain") ? percent(r["largest_strain"]) : "-", reason(r)});
@@ -169,17 +188,17 @@ std::string long_runs(const TradeScene& scene)
 
 }  // namespace
 
-std::string trade_page(const std::vector<TradeScene>& scenes, const Json& header,
+std::string trade_page(const std::vector<TradeScene>& scenes, const SweepState& sweep,
                        const std::filesystem::path& directory)
 {
-    const Json machine = header.value("machine", Json::object());
+    const Json machine = sweep.header.value("machine", Json::object());
     const bool software = machine.value("software_gl", false);
-    std::string body = fmt::format(
-        "<p>Measured on {} ({} threads) by nuno {}. Costs are the least of some runs after a first one, of solver "
-        "and "
-        "collision, on the CPU with {} thread(s) unless said.</p>\n",
+    std::string body = html_missing(sweep.missing, sweep.count);
+    body += fmt::format(
+        "<p>Measured on {} ({} threads) by nuno {}. Costs are the least of some runs after a first one, of solver and "
+        "collision, on the CPU with {} thread(s) unless said. They are times of this machine.</p>\n",
         html_text(machine.value("cpu", "an unknown CPU")), machine.value("threads", 0),
-        html_text(header.value("version", "")), header.value("threads", 1));
+        html_text(sweep.header.value("version", "")), sweep.header.value("threads", 1));
     body +=
         "<p>The <b>error in time</b> is the root mean square distance of all vertices in all frames from a "
         "converged run of "
@@ -192,7 +211,8 @@ std::string trade_page(const std::vector<TradeScene>& scenes, const Json& header
         body += "<h3>What to pick</h3>" + picks(scene);
         body += html_picture(
             directory / ("trade-" + scene.name + ".svg"),
-            "Error against cost, a curve a method. On the grey line nothing is both cheaper and more exact.");
+            "Error against cost, a curve a method; further left is more exact, further down cheaper. On the grey line "
+            "nothing is both; its points are numbered, and named with their substeps a frame. Upright lines: what a coarser mesh is wrong by, however exact in time.");
         body +=
             all_points(scene) + other_errors(scene) + levels(scene) + machine_costs(scene, software) + long_runs(scene);
     }

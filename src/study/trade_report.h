@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "study/sweep.h"
 #include "study/trade_results.h"
 
 namespace nuno {
@@ -14,8 +14,8 @@ namespace nuno {
 // False where gnuplot is missing or fails, or where nothing was measured.
 bool plot_trade(const TradeScene& scene, const std::filesystem::path& directory);
 
-// The page, with the pictures of `directory` in it. `header` as the points have it.
-std::string trade_page(const std::vector<TradeScene>& scenes, const nlohmann::ordered_json& header,
+// The page, with the pictures of `directory` in it.
+std::string trade_page(const std::vector<TradeScene>& scenes, const SweepState& sweep,
                        const std::filesystem::path& directory);
 
 }  // namespace nuno

@@ -3,30 +3,11 @@
 
 #include "model/stability.h"
 #include "solver/method_choice.h"
-#include "solver/method_table.h"
 
 namespace nuno {
 namespace {
 
 constexpr int kMostSubsteps = 10000;
-
-bool can_run(const MethodInfo& info, const SimParams& params)
-{
-    return info.method != Method::reference && info.on(Backend::cpu) &&
-           (params.internal_model != InternalModel::continuum || info.takes_continuum) &&
-           (params.stiffness_damping <= 0 || info.takes_dampers);
-}
-
-// What the scene asks of tethers is left out of methods that have none.
-Setting of_method(const MethodInfo& info, const SimParams& params)
-{
-    Setting setting{{"method", std::string(info.name)}};
-    if (info.takes_tethers) return setting;
-    if (params.tethers != Tethers::automatic && params.tethers != Tethers::none)
-        setting.emplace_back("tethers", "none");
-    if (params.strain_limit > 0) setting.emplace_back("strain_limit", "0");
-    return setting;
-}
 
 SimParams with_method(SimParams params, Method method)
 {
@@ -55,6 +36,23 @@ std::vector<int> iterations_of(Method method)
 }
 
 }  // namespace
+
+bool can_run(const MethodInfo& info, const SimParams& params)
+{
+    return info.method != Method::reference && info.on(Backend::cpu) &&
+           (params.internal_model != InternalModel::continuum || info.takes_continuum) &&
+           (params.stiffness_damping <= 0 || info.takes_dampers);
+}
+
+Setting of_method(const MethodInfo& info, const SimParams& params)
+{
+    Setting setting{{"method", std::string(info.name)}};
+    if (info.takes_tethers) return setting;
+    if (params.tethers != Tethers::automatic && params.tethers != Tethers::none)
+        setting.emplace_back("tethers", "none");
+    if (params.strain_limit > 0) setting.emplace_back("strain_limit", "0");
+    return setting;
+}
 
 std::vector<Setting> settings_in_time(const ClothModel& model, const Bodies& bodies, const SimParams& params)
 {

@@ -1,5 +1,6 @@
 // nuno auto: the choice is the cheapest that keeps the promise, as a full sweep finds it; what is remembered is not
 // measured again.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -117,6 +118,26 @@ TEST(Auto, the_command_prints_words_that_render_takes)
     EXPECT_THAT(refused.err, HasSubstr("method is set"));
     EXPECT_EQ(run_program({"auto", "seed", "--error", "0"}).exit_code, 2);
     EXPECT_EQ(run_program({"auto", "seed"}).exit_code, 2);
+}
+
+// A scene names its mesh; what was measured with another one says nothing.
+TEST(Auto, measures_anew_where_a_mesh_file_has_changed)
+{
+    const TemporaryDirectory directory;
+    const auto write_mesh = [&](const char* height) {
+        directory.write("m.obj", fmt::format("v 0 0 0\nv 1 0 0\nv 1 {0} 0\nv 0 {0} 0\nf 1 2 3\nf 1 3 4\n", height));
+    };
+    write_mesh("1");
+    const auto scene = directory.write("mesh.toml", "[[sheet]]\nmesh = \"m.obj\"\npins = [2, 3]\n").string();
+    const std::vector<std::string> words{"auto", scene, "--error", "10"};
+    const std::string cache = "XDG_CACHE_HOME=" + (directory.path() / "cache").string();
+    const ProgramResult first = run_program(words, {cache});
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_THAT(run_program(words, {cache}).out, HasSubstr(" 0 settings measured"));
+    write_mesh("0.8");
+    const ProgramResult anew = run_program(words, {cache});
+    EXPECT_THAT(anew.err, HasSubstr("measured anew"));
+    EXPECT_THAT(anew.out, testing::Not(HasSubstr(" 0 settings measured")));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "gl/egl_context.h"
 #include "solver/method_choice.h"
+#include "solver/method_table.h"
 #include "study/backend_probe.h"
 #include "study/compare_plot.h"
 #include "support/program_run.h"
@@ -76,6 +77,42 @@ TEST(Compare, a_scene_that_goes_bad_is_told_and_does_not_end_the_rest)
     EXPECT_THAT(points[1].failure, testing::HasSubstr("no longer finite"));
     EXPECT_FALSE(backends_agree(points, true));
     EXPECT_NO_THROW(compare_table(points, true));
+}
+
+TEST(Compare, every_method_of_both_backends_runs_and_what_is_left_out_is_told)
+{
+    const auto context = make_headless_context();
+    const Scene seed = load_scene("seed"), twist = load_scene("twist");
+    const int sizes[] = {5};
+    const std::vector<std::pair<Scene, SimParams>> runs{{seed, seed.params}, {twist, twist.params}};
+    const MethodCases all = method_cases(runs, {}, sizes);
+    std::vector<std::string> ids;
+    std::vector<ComparePoint> points;
+    for (const CompareCase& c : all.cases) {
+        ids.push_back(c.id());
+        if (c.scene->name != "seed") continue;
+        points.push_back(compare_point(c));
+        EXPECT_EQ(choice_names(Method{})[std::size_t(points.back().method)], method_info(c.params.method).name);
+    }
+    EXPECT_THAT(ids, testing::IsSupersetOf({"seed/symplectic_euler/5", "seed/verlet/5", "seed/rk4/5", "seed/xpbd/5",
+                                            "seed/vbd/5", "twist/vbd/5"}));
+    EXPECT_THAT(all.left_out, testing::IsSupersetOf({testing::HasSubstr("sdirk2: runs on the CPU alone"),
+                                                     testing::HasSubstr("explicit_euler, 5")}));
+    EXPECT_TRUE(backends_agree(points, gl_info().software));
+
+    for (const ComparePoint& p : points) {
+        const auto json = compare_json({p});
+        EXPECT_EQ(compare_json({compare_point_of(json[0])}), json) << "a point goes to JSON and back";
+    }
+    const TemporaryDirectory directory;
+    EXPECT_EQ(plot_ratios(points, true, directory.path()), std::system("command -v gnuplot >/dev/null") == 0);
+    const std::string page = compare_page(points, all.left_out, {{"software_gl", true}}, directory.path());
+    for (const char* part : {"times of a CPU", "seed", "rk4", "runs on the CPU alone"})
+        EXPECT_THAT(page, testing::HasSubstr(part));
+    for (const char* outside : {"src=", "href=\"", "url("}) EXPECT_EQ(page.find(outside), page.npos) << outside;
+
+    const Method one[] = {Method::vbd};
+    EXPECT_EQ(method_cases(runs, one, sizes).cases.size(), 2u);
 }
 
 TEST(Compare, disagreement_of_any_kind_is_seen)

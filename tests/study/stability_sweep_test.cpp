@@ -88,11 +88,14 @@ TEST(StabilitySweep, the_report_tells_what_was_measured_and_what_is_missing)
     int missing = 0;
     for (const Json& map : json[0]["maps"]) missing += map["missing"].get<int>();
     EXPECT_EQ(missing, int(4 * kMapKinds.size()) - cells);
+    EXPECT_TRUE(json[0]["holds"].is_null());
+    EXPECT_EQ(holds(scenes[0]), std::nullopt);
     const bool drawn = draw_stability(scenes[0], directory.path());
     EXPECT_EQ(drawn, std::system("command -v gnuplot >/dev/null") == 0);
     EXPECT_EQ(fs::exists(directory.path() / "stability-seed-mass.png"), drawn);
-    EXPECT_THAT(stability_page(scenes, header(), directory.path()),
+    EXPECT_THAT(stability_page(scenes, {header(), 3, {"seed/a"}}, directory.path()),
                 testing::AllOf(testing::HasSubstr("</html>"), testing::HasSubstr("symplectic_euler"),
+                               testing::HasSubstr("1 of 3 points are missing"),
                                testing::Not(testing::HasSubstr("href=\"http"))));
 }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
 
 #include "core/error.h"
@@ -154,6 +155,37 @@ TEST(Sweep, a_directory_that_another_process_writes_to_is_refused)
     const TemporaryDirectory directory;
     const PointStore first(directory.path(), kHeader);
     EXPECT_THAT([&] { PointStore(directory.path(), kHeader); }, ThrowsMessage<Error>(HasSubstr("another nuno")));
+}
+
+TEST(Sweep, on_many_threads_an_interrupt_ends_it_after_the_points_at_hand)
+{
+    const TemporaryDirectory directory;
+    std::atomic<int> measured{0};
+    std::vector<SweepPoint> points;
+    for (int k = 0; k < 200; ++k) points.push_back({std::to_string(k), [&measured] { return Json(++measured); }});
+    ThreadPool pool(3);
+    int asked = 0;
+    {
+        PointStore store(directory.path(), kHeader);
+        EXPECT_FALSE(run_sweep(points, {}, store, pool, [&](std::size_t, std::size_t) { return ++asked < 3; }));
+        EXPECT_EQ(store.results().size(), std::size_t(measured.load()));
+        EXPECT_LT(measured, 200);
+    }
+    PointStore store(directory.path(), kHeader);
+    EXPECT_TRUE(run_sweep(points, {}, store, pool, go_on));
+    EXPECT_EQ(measured, 200);
+    EXPECT_EQ(read_points(directory.path()).results.size(), 200u);
+}
+
+TEST(Sweep, what_is_missing_is_named)
+{
+    int measured = 0;
+    const SweepState some = sweep_state(kHeader, squares(4, measured), {{"square/2", 4}});
+    EXPECT_THAT(some.missing, testing::ElementsAre("square/0", "square/1", "square/3"));
+    EXPECT_EQ(missing_text(some, 2), "3 of 4 points are missing: square/0, square/1 and 1 more");
+    EXPECT_EQ(missing_text(some, 3), "3 of 4 points are missing: square/0, square/1, square/3");
+    EXPECT_EQ(missing_text(sweep_state(kHeader, squares(1, measured), {{"square/0", 0}}), 3), "");
+    EXPECT_EQ(measured, 0);
 }
 
 TEST(Sweep, a_shard_is_a_part_of_a_whole)

@@ -174,7 +174,8 @@ TEST_F(SeedTrade, the_page_needs_nothing_beside_it)
 {
     const TemporaryDirectory directory;
     const bool drawn = plot_trade(*scene_, directory.path());
-    const std::string page = trade_page({*scene_}, {{"version", "1"}, {"machine", Json::object()}}, directory.path());
+    const std::string page =
+        trade_page({*scene_}, {{{"version", "1"}, {"machine", Json::object()}}, 9, {}}, directory.path());
     EXPECT_EQ(drawn, page.find("<svg") != page.npos);
     for (const char* part : {"What to pick", "symplectic_euler", "Self-collision"})
         EXPECT_NE(page.find(part), page.npos) << part;

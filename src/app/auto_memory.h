@@ -1,0 +1,18 @@
+// What `nuno auto` remembers of a scene on this machine: where that is, and all that it depends on.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line.h"
+#include "study/scene_study.h"
+
+namespace nuno {
+
+// Program, machine, threads, scene with the meshes that it names, and parameters.
+nlohmann::ordered_json memory_header(const SceneRun& run, const SceneStudy& study);
+
+// Of the points of this scene and these parameters, of any program and machine: below $XDG_CACHE_HOME, or ~/.cache.
+std::filesystem::path memory_directory(const nlohmann::ordered_json& header);
+
+}  // namespace nuno
