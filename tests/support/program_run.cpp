@@ -37,14 +37,6 @@ void limit_file_size(long bytes)
 
 }  // namespace
 
-ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment,
-                          const ProgramLimits& limits)
-{
-    std::vector<std::string> all{NUNO_PROGRAM};
-    all.insert(all.end(), words.begin(), words.end());
-    return run_words(all, environment, limits);
-}
-
 ProgramResult run_words(const std::vector<std::string>& words, const std::vector<std::string>& environment,
                         const ProgramLimits& limits)
 {

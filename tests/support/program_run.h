@@ -24,7 +24,7 @@ struct ProgramLimits
 ProgramResult run_words(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
                         const ProgramLimits& limits = {});
 
-// Runs `nuno WORDS...` with further NAME=VALUE settings in its environment (an empty VALUE removes NAME).
+// Runs `nuno WORDS...` (to link: nuno_test_program) with further NAME=VALUE settings in its environment (an empty VALUE removes NAME).
 ProgramResult run_program(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
                           const ProgramLimits& limits = {});
 
