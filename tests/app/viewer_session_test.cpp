@@ -14,7 +14,7 @@ ViewerScene seed_scene()
     Scene scene = load_scene("seed");
     SimParams params = scene.params;
     params.backend = Backend::cpu;
-    return {scene, params, {}};
+    return {scene, params, {}, nullptr};
 }
 
 ViewerOptions seed_options(bool paused)
