@@ -75,7 +75,7 @@ class Simulation
     StartCheck check_now(SimParams params);
     void download();
     void follow_stretch();
-    bool may_sleep();
+    bool may_sleep(FrameStats& stats);
     void run_passes(FrameStats& stats);
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);

@@ -56,14 +56,14 @@ int Simulation::most_passes() const
 FrameStats Simulation::advance_frame()
 {
     FrameStats stats;
-    if (!may_sleep()) run_passes(stats);
+    if (!may_sleep(stats)) run_passes(stats);
     stats.frame = ++frame_;
     stats.time_s = time_s_ += 1.0 / params_.frame_rate;
     return stats;
 }
 
 // Whether the cloth is at rest, and stays so in the coming frame.
-bool Simulation::may_sleep()
+bool Simulation::may_sleep(FrameStats& stats)
 {
     if (params_.sleep_motion <= 0) return false;
     if (held_ || surroundings_change(params_, scene_.bodies, time_s_, time_s_ + 1.0 / params_.frame_rate)) {
@@ -71,8 +71,10 @@ bool Simulation::may_sleep()
         return false;
     }
     if (frame_ % RestWatch::kFramesBetween == 0 && !rest_watch_.is_at_rest()) {
+        Stopwatch watch;
         if (!positions_fresh_) solver_->download_positions(state_.positions);
         positions_fresh_ = true;
+        stats.stage_ms.readback += watch.lap_ms();
         rest_watch_.look(state_.positions, time_s_, params_.sleep_motion);
     }
     return rest_watch_.is_at_rest();

@@ -87,7 +87,9 @@ void FaceTree::visit_below(const QueryFrame& frame, int level, NodeRun nodes, Wo
         for (std::uint32_t n = begin; n < std::min(begin + chunk, nodes.end); ++n) {
             const TreeNode& node = frame.levels[static_cast<std::size_t>(level)][n];
             if (masks && node.meets_neighbours == 0) continue;
-            if (!skips_self(level, n)) count += kernels_->visit_self(node, n, first + count, second + count);
+            // Nodes that fill a grid up to fours have no place in it, and no pairs.
+            const int pairs = kernels_->visit_self(node, n, first + count, second + count);
+            if (pairs > 0 && !skips_self(level, n)) count += pairs;
         }
         kernels_->visit(frame, level - 1, {first, second, count}, worker.query, task.found);
     }
