@@ -10,8 +10,12 @@
 namespace nuno {
 namespace {
 
+// What is over and over again counts as changing at all times.
 bool changes(const BodyMotion& motion, double from_s, double to_s)
 {
+    const auto is_within = [&](const Keyframe& key) { return key.time_s > from_s && key.time_s < to_s; };
+    if (motion.repeat || std::any_of(motion.keyframes.begin(), motion.keyframes.end(), is_within))
+        return motion.moves();
     const Displacement a = displacement_at(motion, from_s), b = displacement_at(motion, to_s);
     return motion.moves() && (a.move != b.move || a.rotation != b.rotation);
 }

@@ -96,6 +96,10 @@ void PromiseKeeper::restart()
 
 std::vector<std::string> PromiseKeeper::look(Simulation& simulation, const FrameStats& frame)
 {
+    if (frame.substeps == 0) {  // cloth asleep shows neither error nor cost
+        next_sample_ = std::max(next_sample_, frame.frame + 1);
+        return {};
+    }
     unresolved_ += frame.count.unresolved;
     if (goal_.budget_ms) return look_at_cost(simulation, frame);
     if (frame.frame < next_sample_) return {};
