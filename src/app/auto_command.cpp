@@ -15,21 +15,10 @@
 namespace nuno {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNothingRan = ": no setting that was tried ran to its end";
 constexpr const char* kNotKept = ": the promise cannot be kept: of all that was tried this is the nearest";
-
-// Whether points that are remembered there are of this program, scene and machine. What cannot be read is not.
-bool is_of(const fs::path& directory, const Json& header)
-{
-    try {
-        return read_points(directory).header == header;
-    } catch (const Error&) {
-        return false;
-    }
-}
 
 void refuse_chosen(const CommonFlags& flags)
 {
@@ -48,15 +37,9 @@ Choice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool fo
 {
     SceneStudy study(run.scene, run.params);
     const Json header = memory_header(run, study);
-    const fs::path directory = memory_directory(header);
-    std::error_code status;
-    if (fs::exists(directory / "points.jsonl", status)) {
-        const bool is_stale = forget || !is_of(directory, header);
-        if (is_stale && !forget && !quiet)
-            fmt::print(stderr, "auto: what is remembered is of another program, mesh or machine; measured anew\n");
-        if (is_stale) fs::remove(directory / "points.jsonl", status);
-    }
-    PointStore store(directory, header);
+    PointStore store(memory_directory(header), header, forget ? FormerPoints::drop : FormerPoints::keep_own);
+    if (store.dropped_others() && !quiet)
+        fmt::print(stderr, "auto: what is remembered is of another program, mesh or machine; measured anew\n");
     const SweepProgress progress = InterruptibleProgress("auto", quiet);
     Choice choice{choose_setting(study, goal, store, progress), {}};
     if (with_ladder && !interrupted()) choice.ladder = ladder_around(study, goal, choice.best, store, progress);

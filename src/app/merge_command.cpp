@@ -24,7 +24,7 @@ void add_merge_flags(CLI::App& command, MergeFlags& flags)
 
 int run_merge(const MergeFlags& flags)
 {
-    const StoredPoints all = merge_points({flags.directories.begin(), flags.directories.end()}, flags.out);
+    StoredPoints all = joined_points({flags.directories.begin(), flags.directories.end()});
     const std::string study = all.header.value("study", "?");
     if (study != "trade" && study != "stability")
         throw Error(
@@ -32,7 +32,9 @@ int run_merge(const MergeFlags& flags)
                         "trade` or `nuno stability`",
                         flags.directories.front(), study));
     require_this_version(all.header);
-    write_points(all, flags.out);
+    PointStore store(flags.out, all.header);
+    store.add_missing(all.results);
+    all.results = store.results();
     bool holds = true;
     const SweepState state = study == "trade" ? report_trade(all, flags.out, flags.quiet)
                                               : report_stability(all, flags.out, flags.quiet, holds);

@@ -47,6 +47,13 @@ void require_same(const Json& found, const Json& wanted, const fs::path& directo
                     directory.string(), difference(wanted, found)));
 }
 
+void require_equal(const std::string& id, const Json& known, const Json& result, const fs::path& directory)
+{
+    if (known == result) return;
+    throw Error(
+        fmt::format("{}: has another result for {} than the other directories; leave one out", directory.string(), id));
+}
+
 }  // namespace
 
 StoredPoints read_points(const fs::path& directory)
@@ -75,28 +82,44 @@ StoredPoints read_points(const fs::path& directory)
     return stored;
 }
 
-PointStore::PointStore(const fs::path& directory, const Json& header) : path_(points_path(directory))
+PointStore::PointStore(const fs::path& directory, const Json& header, FormerPoints former)
+    : path_(points_path(directory))
 {
     make_writable_directory(directory);
-    const auto fail = [&](const char* reason) {
+    const auto fail = [&](const std::string& reason) {
         if (file_ >= 0) ::close(file_);
-        throw Error(fmt::format("{}: cannot be written ({}); choose another directory", path_.string(), reason));
+        throw Error(fmt::format("{}: {}", path_.string(), reason));
+    };
+    const auto refused = [] {
+        return fmt::format("cannot be written ({}); choose another directory", std::strerror(errno));
     };
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    if (file_ < 0) fail(std::strerror(errno));
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail("another nuno is writing there");
+    if (file_ < 0) fail(refused());
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail("another nuno is writing there; run this again when it is done");
     try {
-        stored_ = read_points(directory);
-        if (!stored_.header.is_null()) require_same(stored_.header, header, directory);
+        take_former(directory, header, former);
     } catch (const Error&) {
         ::close(file_);
         throw;
     }
-    if (::ftruncate(file_, static_cast<off_t>(stored_.whole_bytes)) != 0) fail(std::strerror(errno));
+    if (::ftruncate(file_, static_cast<off_t>(stored_.whole_bytes)) != 0) fail(refused());
     const bool is_new = stored_.header.is_null();
     stored_.header = header;
     resumed_ = stored_.results.size();
     if (is_new) write_line(header);
+}
+
+void PointStore::take_former(const fs::path& directory, const Json& header, FormerPoints former)
+{
+    if (former == FormerPoints::drop) return;
+    try {
+        StoredPoints found = read_points(directory);
+        if (!found.header.is_null()) require_same(found.header, header, directory);
+        stored_ = std::move(found);
+    } catch (const Error&) {
+        if (former == FormerPoints::keep) throw;
+        dropped_others_ = true;
+    }
 }
 
 PointStore::~PointStore() { ::close(file_); }
@@ -123,32 +146,26 @@ void PointStore::add(const std::string& id, const Json& result)
     stored_.results[id] = result;
 }
 
-StoredPoints merge_points(std::vector<fs::path> directories, const fs::path& out)
+void PointStore::add_missing(const std::map<std::string, Json>& results)
+{
+    for (const auto& [id, result] : results)
+        if (holds(id)) require_equal(id, stored_.results.at(id), result, path_.parent_path());
+    for (const auto& [id, result] : results)
+        if (!holds(id)) add(id, result);
+}
+
+StoredPoints joined_points(const std::vector<fs::path>& directories)
 {
     StoredPoints all;
-    std::error_code status;
-    if (fs::exists(points_path(out), status)) directories.push_back(out);
     for (const fs::path& directory : directories) {
         const StoredPoints part = read_points(directory);
         if (part.header.is_null()) throw Error(directory.string() + ": has no points; run its part of the sweep first");
         if (all.header.is_null()) all.header = part.header;
         require_same(part.header, all.header, directory);
-        for (const auto& [id, result] : part.results) {
-            const auto [entry, is_new] = all.results.emplace(id, result);
-            if (!is_new && entry->second != result)
-                throw Error(fmt::format("{}: has another result for {} than a directory before it; leave one out",
-                                        directory.string(), id));
-        }
+        for (const auto& [id, result] : part.results)
+            require_equal(id, all.results.emplace(id, result).first->second, result, directory);
     }
     return all;
-}
-
-void write_points(const StoredPoints& points, const fs::path& directory)
-{
-    std::string text = points.header.dump() + "\n";
-    for (const auto& [id, result] : points.results) text += Json{{"id", id}, {"result", result}}.dump() + "\n";
-    make_writable_directory(directory);
-    write_whole(points_path(directory), text);
 }
 
 }  // namespace nuno

@@ -63,11 +63,11 @@ TEST(StabilitySweep, half_of_the_lines_lost_and_half_a_line_are_measured_anew_to
 TEST(StabilitySweep, parts_join_to_the_whole)
 {
     const StabilityScene scene = small_scene();
-    const TemporaryDirectory whole, first, second, joined;
+    const TemporaryDirectory whole, first, second;
     sweep(scene, whole.path(), {}, 2);
     sweep(scene, first.path(), {1, 2}, 2);
     sweep(scene, second.path(), {2, 2}, 2);
-    const StoredPoints all = merge_points({first.path(), second.path()}, joined.path());
+    const StoredPoints all = joined_points({first.path(), second.path()});
     EXPECT_EQ(all.results, read_points(whole.path()).results);
 }
 

@@ -109,11 +109,11 @@ TEST(Sweep, parts_join_to_the_whole_whatever_their_order)
         EXPECT_TRUE(run_sweep(squares(8, measured), {k, 3}, store, go_on));
     }
     EXPECT_EQ(measured, 8);
-    const StoredPoints whole = merge_points(parts, directory.path() / "a");
-    EXPECT_EQ(whole.results.size(), 8u);
-    write_points(whole, directory.path() / "a");
+    const auto join = [&](const fs::path& out) { PointStore(out, kHeader).add_missing(joined_points(parts).results); };
+    EXPECT_EQ(joined_points(parts).results.size(), 8u);
+    join(directory.path() / "a");
     std::swap(parts[0], parts[2]);
-    write_points(merge_points(parts, directory.path() / "b"), directory.path() / "b");
+    join(directory.path() / "b");
     EXPECT_EQ(read_text(directory.path() / "a/points.jsonl"), read_text(directory.path() / "b/points.jsonl"));
 }
 
@@ -124,30 +124,49 @@ TEST(Sweep, parts_that_disagree_are_not_joined)
     PointStore(a, kHeader).add("x", {{"value", 1}});
     PointStore(b, kHeader).add("x", {{"value", 2}});
     PointStore(c, {{"study", "cubes"}, {"version", "1"}}).add("y", {{"value", 2}});
-    EXPECT_THAT(
-        [&] {
-            merge_points({a, b}, directory.path() / "d");
-        },
-        ThrowsMessage<Error>(HasSubstr("another result for x")));
-    EXPECT_THAT([&] { merge_points({a, c}, directory.path() / "d"); }, ThrowsMessage<Error>(HasSubstr("study")));
-    EXPECT_THAT(
-        [&] {
-            merge_points({a, directory.path() / "none"}, directory.path() / "d");
-        },
-        ThrowsMessage<Error>(HasSubstr("none")));
+    EXPECT_THAT([&] { joined_points({a, b}); }, ThrowsMessage<Error>(HasSubstr("another result for x")));
+    EXPECT_THAT([&] { joined_points({a, c}); }, ThrowsMessage<Error>(HasSubstr("study")));
+    EXPECT_THAT([&] { joined_points({a, directory.path() / "none"}); }, ThrowsMessage<Error>(HasSubstr("none")));
 }
 
 TEST(Sweep, joining_keeps_what_is_there_and_refuses_to_mix_it)
 {
     const TemporaryDirectory directory;
-    const fs::path a = directory.path() / "a", b = directory.path() / "b", c = directory.path() / "c";
+    const fs::path a = directory.path() / "a", b = directory.path() / "b";
     PointStore(a, kHeader).add("x", {{"value", 1}});
     PointStore(b, kHeader).add("y", {{"value", 2}});
-    PointStore(c, {{"study", "cubes"}, {"version", "1"}}).add("z", {{"value", 3}});
-    EXPECT_EQ(merge_points({a}, b).results.size(), 2u);
-    const std::string before = read_text(c / "points.jsonl");
-    EXPECT_THAT([&] { merge_points({a, b}, c); }, ThrowsMessage<Error>(HasSubstr("study")));
-    EXPECT_EQ(read_text(c / "points.jsonl"), before);
+    PointStore joined(b, kHeader);
+    joined.add_missing(joined_points({a}).results);
+    EXPECT_EQ(joined.results().size(), 2u);
+    const std::string before = read_text(b / "points.jsonl");
+    EXPECT_THAT(
+        [&] {
+            joined.add_missing({{"w", 4}, {"y", 3}});
+        },
+        ThrowsMessage<Error>(HasSubstr("another result for y")));
+    EXPECT_EQ(read_text(b / "points.jsonl"), before);
+}
+
+TEST(Sweep, a_memory_drops_points_of_another_header_and_what_cannot_be_read)
+{
+    const TemporaryDirectory directory;
+    PointStore(directory.path(), {{"study", "cubes"}}).add("z", {{"value", 3}});
+    {
+        PointStore store(directory.path(), kHeader, FormerPoints::keep_own);
+        EXPECT_TRUE(store.dropped_others());
+        EXPECT_TRUE(store.results().empty());
+        store.add("x", {{"value", 1}});
+    }
+    {
+        const PointStore store(directory.path(), kHeader, FormerPoints::keep_own);
+        EXPECT_FALSE(store.dropped_others());
+        EXPECT_EQ(store.results().size(), 1u);
+        EXPECT_THAT([&] { PointStore(directory.path(), kHeader, FormerPoints::drop); },
+                    ThrowsMessage<Error>(HasSubstr("another nuno")));
+    }
+    EXPECT_EQ(read_points(directory.path()).results.size(), 1u) << "nothing is dropped that another process holds";
+    directory.write("points.jsonl", "no json\n");
+    EXPECT_TRUE(PointStore(directory.path(), kHeader, FormerPoints::keep_own).dropped_others());
 }
 
 TEST(Sweep, a_directory_that_another_process_writes_to_is_refused)
