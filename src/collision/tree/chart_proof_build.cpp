@@ -7,7 +7,7 @@
 namespace nuno {
 namespace {
 
-// Nodes of 4^4 of level 1, of 8192 faces, down to those of 16; below those that have no plane, of 4.
+// Nodes of 4^4 of level 1, of 8192 faces, down to those of 16; where these have no plane, down to single ones.
 constexpr int kTopLevel = 5, kLowLevel = 3, kLeastLevel = 1;
 
 }  // namespace
@@ -80,8 +80,11 @@ class ChartProof::Builder
         for (const std::vector<std::uint32_t>& nodes : nodes_at)
             for (const std::uint32_t a : nodes)
                 for (const std::uint32_t b : nodes)
-                    if (a != b && std::find(touching_[a].begin(), touching_[a].end(), b) == touching_[a].end())
-                        touching_[a].push_back(b);
+                    if (a != b) touching_[a].push_back(b);
+        for (std::vector<std::uint32_t>& nodes : touching_) {
+            std::sort(nodes.begin(), nodes.end());
+            nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        }
     }
 
     // Adds the windows of the node and of those below it; `found` gets those that are in no other of them.
