@@ -17,8 +17,6 @@
 namespace nuno {
 namespace {
 
-constexpr double kMostFramesAtOnce = 4;  // as Simulation::advance
-
 // The view as the scene's file has it. Its settings were checked when the scene was read.
 ViewParams read_view(const Scene& scene)
 {
@@ -99,7 +97,6 @@ std::vector<FrameStats> ViewerSession::run(Run run)
     std::vector<FrameStats> frames;
     try {
         frames = run();
-        keep_promise(frames);
     } catch (const Error& error) {
         went_bad_ = error.code() == ExitCode::went_bad;
         set_paused(true);
@@ -110,43 +107,38 @@ std::vector<FrameStats> ViewerSession::run(Run run)
 }
 
 // In the window too: another setting changes what the panel shows.
-void ViewerSession::keep_promise(const std::vector<FrameStats>& frames)
+void ViewerSession::keep_promise(const FrameStats& frame)
 {
     if (!promise_) return;
-    for (const FrameStats& frame : frames)
-        for (const std::string& line : promise_->look(*simulation_, frame)) {
-            if (!quiet_) fmt::print(stderr, "{}: {}\n", simulation_->scene().name, line);
-            log_.action("promise {}", line);
-            judge_stability();
-        }
+    for (const std::string& line : promise_->look(*simulation_, frame)) {
+        if (!quiet_) fmt::print(stderr, "{}: {}\n", simulation_->scene().name, line);
+        log_.action("promise {}", line);
+        judge_stability();
+    }
+}
+
+// What every frame asks for, before the next one.
+void ViewerSession::after_frame(const FrameStats& frame)
+{
+    if (record_) recorder_.add(frame, simulation_->diagnostics());
+    keep_promise(frame);
 }
 
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
 {
     if (paused_) return {};
-    return run([&] { return record_ ? advance_recorded(elapsed_s) : simulation_->advance(elapsed_s); });
-}
-
-// The report wants every frame measured, so they are asked for one by one.
-std::vector<FrameStats> ViewerSession::advance_recorded(double elapsed_s)
-{
-    std::vector<FrameStats> frames;
-    const double frame_s = 1.0 / simulation_->params().frame_rate;
-    for (double left_s = std::min(elapsed_s, kMostFramesAtOnce * frame_s); left_s > 0; left_s -= frame_s)
-        for (const FrameStats& frame : simulation_->advance(std::min(left_s, frame_s))) {
-            recorder_.add(frame, simulation_->diagnostics());
-            frames.push_back(frame);
-        }
-    return frames;
+    return run([&] { return simulation_->advance(elapsed_s, [&](const FrameStats& frame) { after_frame(frame); }); });
 }
 
 std::vector<FrameStats> ViewerSession::step()
 {
     if (went_bad_) return {};
     paused_ = true;
-    std::vector<FrameStats> frames = run([&] { return std::vector{simulation_->advance_frame()}; });
-    if (record_)
-        for (const FrameStats& frame : frames) recorder_.add(frame, simulation_->diagnostics());
+    std::vector<FrameStats> frames = run([&] {
+        const FrameStats frame = simulation_->advance_frame();
+        after_frame(frame);
+        return std::vector{frame};
+    });
     log_.action("stepped");
     return frames;
 }

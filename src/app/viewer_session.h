@@ -67,8 +67,8 @@ class ViewerSession
     void tell_of_start();
     template <class Run>
     std::vector<FrameStats> run(Run run);
-    void keep_promise(const std::vector<FrameStats>& frames);
-    std::vector<FrameStats> advance_recorded(double elapsed_s);
+    void keep_promise(const FrameStats& frame);
+    void after_frame(const FrameStats& frame);
 
     ViewerLog& log_;
     SceneLoader load_;

@@ -119,12 +119,15 @@ void Simulation::follow_stretch()
     params_.substeps = resolve_params(*model_, scene_.bodies, asked_, stretch).substeps;
 }
 
-std::vector<FrameStats> Simulation::advance(double elapsed_s)
+std::vector<FrameStats> Simulation::advance(double elapsed_s, const std::function<void(const FrameStats&)>& after_frame)
 {
     std::vector<FrameStats> frames;
     const double frame_s = 1.0 / params_.frame_rate;
     pending_s_ = std::min(pending_s_ + elapsed_s, kMostFramesAtOnce * frame_s);
-    for (; pending_s_ >= frame_s; pending_s_ -= frame_s) frames.push_back(advance_frame());
+    for (; pending_s_ >= frame_s; pending_s_ -= frame_s) {
+        frames.push_back(advance_frame());
+        if (after_frame) after_frame(frames.back());
+    }
     return frames;
 }
 

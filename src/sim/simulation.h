@@ -1,6 +1,7 @@
 // One scene in motion: owns the cloth, its solver and its collision, and runs them frame by frame.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@
 #include "solver/base/cloth_solver.h"
 
 namespace nuno {
+
+// Passes of self-collision a frame, at most, were there substeps enough.
+int most_passes(const SimParams& params);
 
 class Simulation
 {
@@ -49,8 +53,9 @@ class Simulation
     // Cloth at rest, with nothing around it that changes, sleeps: its frames have no substeps.
     FrameStats advance_frame();
     // Simulates the whole frames that `elapsed_s` of wall time ask for, but no more than a few: a machine that cannot
-    // keep up slows the cloth down. The statistics are those of the frames that ran.
-    std::vector<FrameStats> advance(double elapsed_s);
+    // keep up slows the cloth down. The statistics are those of the frames that ran; `after_frame` gets each before
+    // the next one.
+    std::vector<FrameStats> advance(double elapsed_s, const std::function<void(const FrameStats&)>& after_frame = {});
 
     // The state now; copied from the device when first asked for after a frame.
     const ClothState& state();
@@ -86,7 +91,6 @@ class Simulation
     void hand_on_contacts(FrameStats& stats, const SpeculativeContacts& found);
     void respond_to_impacts(FrameStats& stats, float interval_s);
     void check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const;
-    int most_passes() const;
 
     struct Held
     {
