@@ -245,6 +245,7 @@ int run_render(const RenderFlags& flags)
         fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));
     const bool kept = !promise || promise->is_kept();
+    if (!kept) fmt::print(stderr, "nuno: {}: {}\n", run.scene.name, promise->verdict());
     return static_cast<int>(kept || result.code != ExitCode::done ? result.code : ExitCode::check_failed);
 }
 

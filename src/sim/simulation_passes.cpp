@@ -44,13 +44,11 @@ LayerSettings layer_settings(const SimParams& params)
 
 }  // namespace
 
-// Passes of a frame, but for levels that see ahead and choose them themselves: at most.
-int Simulation::most_passes() const
+int most_passes(const SimParams& params)
 {
-    if (params_.collision == CollisionLevel::none) return 1;
-    const bool chosen = params_.collision_passes == 0;
-    const int passes = !chosen ? params_.collision_passes : sees_ahead(params_.collision) ? kMostChosenPasses : 1;
-    return std::min(passes, params_.substeps);
+    if (params.collision == CollisionLevel::none) return 1;
+    if (params.collision_passes > 0) return params.collision_passes;
+    return sees_ahead(params.collision) ? kMostChosenPasses : 1;
 }
 
 FrameStats Simulation::advance_frame()
@@ -87,8 +85,9 @@ void Simulation::run_passes(FrameStats& stats)
     stats.stage_ms.solve = measuring.lap_ms();
     stats.substeps = params_.substeps;
     const double h = double(substep_s(params_));
-    const int substeps = params_.substeps,
-              passes = sees_ahead(params_.collision) ? foresee_frame(stats) : most_passes();
+    const int substeps = params_.substeps, passes = sees_ahead(params_.collision)
+                                                        ? foresee_frame(stats)
+                                                        : std::min(most_passes(params_), params_.substeps);
     if (!sees_ahead(params_.collision)) {
         if (keeps_contacts_) hand_on_contacts(stats, {});
         start_positions_.clear();
@@ -122,7 +121,7 @@ void Simulation::run_passes(FrameStats& stats)
 // would have needed, or more where layers near each other faster now.
 int Simulation::foresee_frame(FrameStats& stats)
 {
-    const int most = most_passes(), substeps = params_.substeps;
+    const int substeps = params_.substeps, most = std::min(most_passes(params_), substeps);
     const auto pass_s = [&](int passes) {
         const int of_first = substeps / passes;
         return static_cast<float>(of_first * double(substep_s(params_)));

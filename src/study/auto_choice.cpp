@@ -208,10 +208,10 @@ void say_what_is_given_up(const Json& about, const SimParams& asked, AutoChoice&
     const auto has = [&](std::string_view name) {
         return std::any_of(choice.set.begin(), choice.set.end(), [&](const auto& word) { return word.first == name; });
     };
-    const int passes = asked.collision_passes;
+    const int passes = most_passes(asked);
     if (about.at("meets").get<bool>() && passes > choice.substeps && choice.substeps > 0)
-        choice.given_up.push_back(fmt::format("collision passes: {} a frame in the scene, {} with so many substeps",
-                                              passes, choice.substeps));
+        choice.given_up.push_back(fmt::format(
+            "collision passes: up to {} a frame in the scene, {} with so many substeps", passes, choice.substeps));
     const bool sweeps = !choice.set.empty() && (choice.set[0].second == "xpbd" || choice.set[0].second == "vbd");
     if (sweeps && !has("tethers") && about.at("tethered").get<bool>())
         choice.given_up.push_back("stretch along the way to a pin: tethers forbid it");
@@ -271,6 +271,8 @@ std::vector<Rung> ladder_around(SceneStudy& study, const AutoGoal& goal, const A
         });
         rung.doubling_m = result.at("m").is_number() ? result["m"].get<double>() : 0;
     }
+    // What has no estimate to compare with can only be stayed on.
+    std::erase_if(ladder, [&](const Rung& rung) { return !(rung.doubling_m > 0) && rung.set != choice.rung; });
     return ladder;
 }
 

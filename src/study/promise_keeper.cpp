@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -110,15 +111,16 @@ std::vector<std::string> PromiseKeeper::look(Simulation& simulation, const Frame
 // Over the horizon, if motion were as hard to follow all along as it is now.
 double PromiseKeeper::predicted(std::size_t rung) const
 {
-    const double measured = ladder_[rung_].doubling_m;
-    return ladder_[rung].error_share * (measured > 0 ? root_mean_square(recent_) / measured : 1);
+    const double now = root_mean_square(recent_), measured = ladder_[rung_].doubling_m;
+    if (!std::isfinite(now)) return std::numeric_limits<double>::infinity();
+    return ladder_[rung].error_share * (measured > 0 ? now / measured : 1);
 }
 
 // Layers that went through one another, where more substeps allow more passes of collision: the rung that has some.
 // Else what is to be said of them once.
 std::optional<std::size_t> PromiseKeeper::rung_for_layers(const SimParams& params) const
 {
-    const int passes = params.collision_passes, substeps = params.substeps;
+    const int passes = most_passes(params), substeps = params.substeps;
     for (std::size_t to = rung_ + 1; passes > substeps && to < ladder_.size(); ++to)
         if (ladder_[to].substeps > substeps) return to;
     return std::nullopt;
@@ -187,10 +189,10 @@ std::vector<std::string> PromiseKeeper::move(Simulation& simulation, std::size_t
 {
     const Rung &before = ladder_[rung_], &after = ladder_[to];
     simulation.set_params(on_rung(simulation.asked_params(), base_, after.set));
-    // Back to what did not do before: wait longer the next time.
-    const bool is_back = !changes_.empty() && changes_.back().from == to;
-    const bool is_relief = goal_.budget_ms ? to < rung_ : to > rung_;
-    if (is_back && is_relief) patience_ = std::min(2 * patience_, kMostPatience);
+    // What calm allowed did not do: wait longer the next time.
+    const auto is_relief = [&](std::size_t a, std::size_t b) { return goal_.budget_ms ? b < a : b > a; };
+    const bool was_calm = !changes_.empty() && !is_relief(changes_.back().from, changes_.back().to);
+    if (was_calm && is_relief(rung_, to)) patience_ = std::min(2 * patience_, kMostPatience);
     changes_.push_back({frame, rung_, to, reason});
     rung_ = to;
     recent_.clear();
@@ -207,6 +209,8 @@ std::vector<std::string> PromiseKeeper::move(Simulation& simulation, std::size_t
 std::vector<std::string> PromiseKeeper::cannot(const std::string& reason, bool counts)
 {
     is_broken_ = is_broken_ || counts;
+    unresolved_ = 0;
+    calm_ = 0;
     if (std::exchange(told_, true)) return {};
     return {fmt::format("{}: the promise cannot be kept, and no {} setting is known", reason,
                         goal_.budget_ms ? "cheaper" : "more exact")};
@@ -216,6 +220,23 @@ bool PromiseKeeper::is_kept() const
 {
     if (!goal_.budget_ms || estimates_.empty()) return !is_broken_;
     return median({estimates_.begin(), estimates_.end()}) <= *goal_.budget_ms;
+}
+
+std::string PromiseKeeper::verdict() const
+{
+    if (is_kept()) return "";
+    if (estimates_.empty()) return "the promise is not kept: no setting that was measured keeps it";
+    if (goal_.budget_ms)
+        return fmt::format("the promise is not kept: the median frame took {:.3g} ms, over {:g}",
+                           median({estimates_.begin(), estimates_.end()}), *goal_.budget_ms);
+    return fmt::format("the promise is not kept: {} of {} estimates of the error are over {:g} %", looks_over(),
+                       estimates_.size(), 100 * *goal_.error_share);
+}
+
+std::ptrdiff_t PromiseKeeper::looks_over() const
+{
+    const double most = goal_.error_share ? *goal_.error_share : *goal_.budget_ms;
+    return std::count_if(estimates_.begin(), estimates_.end(), [&](double value) { return value > most; });
 }
 
 Json PromiseKeeper::report() const
@@ -228,13 +249,12 @@ Json PromiseKeeper::report() const
                            {"from", setting_text(ladder_[change.from].set)},
                            {"to", setting_text(ladder_[change.to].set)},
                            {"reason", change.reason}});
-    const auto over = std::count_if(estimates_.begin(), estimates_.end(), [&](double value) { return value > most; });
     const double largest = estimates_.empty() ? 0 : *std::max_element(estimates_.begin(), estimates_.end());
     return {{"of", is_error ? "error_share" : "ms_per_frame"},
             {"most", most},
             {"kept", is_kept()},
             {"looks", estimates_.size()},
-            {"looks_over", over},
+            {"looks_over", looks_over()},
             {"largest", std::isfinite(largest) ? Json(largest) : Json(nullptr)},
             {"changes", changes}};
 }

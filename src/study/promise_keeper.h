@@ -66,6 +66,8 @@ class PromiseKeeper
     std::size_t rung() const { return rung_; }
     const std::vector<RungChange>& changes() const { return changes_; }
     bool is_kept() const;
+    // One sentence where it is not; else empty.
+    std::string verdict() const;
     // The object `promise` of docs/report.md.
     nlohmann::ordered_json report() const;
 
@@ -76,6 +78,7 @@ class PromiseKeeper
     std::vector<std::string> cannot(const std::string& reason, bool counts);
     std::optional<std::size_t> rung_for_layers(const SimParams& params) const;
     double predicted(std::size_t rung) const;
+    std::ptrdiff_t looks_over() const;
 
     AutoGoal goal_;
     std::vector<Rung> ladder_;

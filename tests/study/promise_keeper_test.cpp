@@ -179,6 +179,48 @@ TEST(PromiseKeeper, keeps_a_budget_by_a_cheaper_rung)
     EXPECT_TRUE(run.keeper.is_kept());
 }
 
+TEST(PromiseKeeper, waits_longer_where_it_comes_back_over_several_rungs)
+{
+    std::vector<Rung> ladder = two_rungs(0, 0);
+    ladder.push_back(ladder.back());
+    ladder.back().ms_per_frame = 2.5;
+    const double ms[] = {1, 1, 5};  // the last is dearer than it was measured
+    WatchedRun run({auto_goal({}, 4.0), ladder, 2, small(load_scene("seed")), 0});
+    for (int frame = 0; frame < 3000; ++frame) run.frames_of(ms[run.keeper.rung()], 1);
+    EXPECT_EQ(run.keeper.changes().at(0).to, 0u) << "over both";
+    EXPECT_GE(run.keeper.changes().size(), 7u);
+    EXPECT_LE(run.keeper.changes().size(), 14u) << "without waiting, over 30";
+}
+
+TEST(PromiseKeeper, frames_of_cloth_asleep_say_nothing)
+{
+    WatchedRun run(budget_keeper(0));
+    run.frames_of(3, 20);
+    FrameStats asleep;
+    for (asleep.frame = 21; asleep.frame < 400; ++asleep.frame)
+        EXPECT_THAT(run.keeper.look(run.simulation, asleep), IsEmpty());
+    EXPECT_THAT(run.keeper.changes(), IsEmpty()) << "no time is no room";
+    EXPECT_EQ(run.keeper.report()["looks"], 20);
+}
+
+TEST(PromiseKeeper, layers_that_went_through_take_it_to_where_more_passes_fit)
+{
+    WatchedRun run(error_keeper(two_rungs(kHuge, kHuge)));
+    run.frames(1);
+    SimParams params = run.simulation.asked_params();
+    params.collision = CollisionLevel::speculative;
+    params.collision_passes = 0;
+    run.simulation.set_params(params);
+    for (int i = 0; i < 20; ++i) {
+        FrameStats stats = run.simulation.advance_frame();
+        stats.count.unresolved = 1;
+        run.keeper.look(run.simulation, stats);
+    }
+    ASSERT_EQ(run.keeper.changes().size(), 1u);
+    EXPECT_EQ(run.keeper.changes()[0].reason, "layers went through one another");
+    EXPECT_EQ(run.simulation.params().substeps, 4);
+}
+
 TEST(PromiseKeeper, one_slow_frame_breaks_no_budget)
 {
     WatchedRun run(budget_keeper(1));
@@ -232,6 +274,7 @@ nlohmann::json rendered(const TemporaryDirectory& directory, const std::vector<s
     words.insert(words.end(), goal.begin(), goal.end());
     const ProgramResult run = run_program(words, {"XDG_CACHE_HOME=" + directory.path().string()});
     EXPECT_EQ(run.exit_code, exit_code) << run.err;
+    EXPECT_EQ(run.err.find("the promise is not kept") != run.err.npos, exit_code == 1) << run.err;
     return nlohmann::json::parse(read_text(report)).at("promise");
 }
 
