@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
@@ -38,6 +39,7 @@ struct ComparePoint
     std::string failure;         // how the simulation went bad, after which the rest of the point is empty; else empty
     bool substep_hashes_agree = false;  // after all of them
     bool frame_hashes_agree = false;    // after the timed frames, with contact
+    std::string_view method_name() const { return choice_names(Method{})[std::size_t(method)]; }
     double ratio() const { return cpu.frame_ms > 0 ? gpu.frame_ms / cpu.frame_ms : 0; }
 };
 

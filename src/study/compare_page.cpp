@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string method_name(const ComparePoint& p) { return std::string(choice_names(Method{})[std::size_t(p.method)]); }
-
 bool same_bits(const ComparePoint& p) { return p.substep_hashes_agree && p.frame_hashes_agree; }
 
 std::string size_text(const ComparePoint& p) { return p.size > 0 ? std::to_string(p.size) : "mesh"; }
@@ -35,7 +33,7 @@ std::vector<std::string> methods_of(const std::vector<ComparePoint>& points)
 {
     std::vector<std::string> methods;
     for (const std::string_view name : choice_names(Method{}))
-        if (std::any_of(points.begin(), points.end(), [&](const ComparePoint& p) { return method_name(p) == name; }))
+        if (std::any_of(points.begin(), points.end(), [&](const ComparePoint& p) { return p.method_name() == name; }))
             methods.emplace_back(name);
     return methods;
 }
@@ -85,7 +83,7 @@ std::string overview(const std::vector<ComparePoint>& points)
             rows.push_back({html_text(p.scene), size_text(p)});
             rows.back().resize(head.size());
         }
-        const auto column = std::find(methods.begin(), methods.end(), method_name(p)) - methods.begin();
+        const auto column = std::find(methods.begin(), methods.end(), p.method_name()) - methods.begin();
         rows[entry->second][std::size_t(column) + 2] = cell_text(p);
     }
     return "<h2>Time of a frame, GPU over CPU</h2><p>Where the two are not the same bit for bit, the largest difference "
@@ -101,7 +99,7 @@ std::string all_points(const std::vector<ComparePoint>& points)
     head.insert(head.end(), {"same bits", ""});
     std::vector<std::vector<std::string>> rows;
     for (const ComparePoint& p : points) {
-        rows.push_back({html_text(p.scene), size_text(p), std::to_string(p.particles), method_name(p),
+        rows.push_back({html_text(p.scene), size_text(p), std::to_string(p.particles), std::string(p.method_name()),
                         std::to_string(p.substeps), fmt::format("{:.3f}", p.cpu.frame_ms),
                         fmt::format("{:.3f}", p.gpu.frame_ms), fmt::format("{:.2f}", p.ratio())});
         for (const double d : p.largest_difference_m)
@@ -122,7 +120,7 @@ bool plot_ratios(const std::vector<ComparePoint>& points, bool software_gl, cons
     for (std::size_t m = 0; m < methods.size(); ++m) {
         std::vector<const ComparePoint*> of_method;
         for (const ComparePoint& p : points)
-            if (p.ratio() > 0 && method_name(p) == methods[m]) of_method.push_back(&p);
+            if (p.ratio() > 0 && p.method_name() == methods[m]) of_method.push_back(&p);
         for (std::size_t i = 0; i < of_method.size(); ++i, ++drawn)
             data += fmt::format("{} {} {}\n", double(m) - 0.35 + 0.7 * (double(i) + 0.5) / double(of_method.size()),
                                 of_method[i]->ratio(), of_method[i]->particles);

@@ -14,11 +14,6 @@ using Json = nlohmann::ordered_json;
 double collision_ms(const StageTimes& t) { return t.refit + t.query + t.respond; }
 double transfer_ms(const StageTimes& t) { return t.readback + t.upload; }
 
-std::string_view method_name(const ComparePoint& point)
-{
-    return choice_names(Method{})[static_cast<std::size_t>(point.method)];
-}
-
 Json cost_json(const BackendCost& cost)
 {
     Json stages;
@@ -43,7 +38,7 @@ std::string compare_table(const std::vector<ComparePoint>& points, bool software
     table += " | agree\n";
     for (const ComparePoint& p : points) {
         table += fmt::format("{:9} {:>5} {:16} {:>8} |", p.scene, p.size > 0 ? std::to_string(p.size) : "mesh",
-                             method_name(p), p.substeps);
+                             p.method_name(), p.substeps);
         for (const BackendCost* c : {&p.cpu, &p.gpu})
             table += fmt::format(" {:8.3f} {:7.3f} {:6.3f} {:7.3f} |", c->frame_ms, c->stage_ms.solve,
                                  transfer_ms(c->stage_ms), collision_ms(c->stage_ms));
@@ -64,7 +59,7 @@ Json compare_json(const std::vector<ComparePoint>& points)
         list.push_back({{"scene", p.scene},
                         {"size", p.size},
                         {"particles", p.particles},
-                        {"method", method_name(p)},
+                        {"method", p.method_name()},
                         {"substeps", p.substeps},
                         {"timed_frames", p.timed_frames},
                         {"cpu", cost_json(p.cpu)},
