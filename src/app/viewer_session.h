@@ -54,8 +54,6 @@ class ViewerSession
     void use_stable_substeps();
     void set_view_param(const ParamInfo& info, double value);
 
-    // What keeps a promise; none where none was given, or a part of it was set by hand.
-    const PromiseKeeper* promise() const { return promise_.get(); }
 
     // Writes the report of the frames since the last start.
     void write_report(const std::filesystem::path& path, const MachineInfo& machine);

@@ -61,7 +61,6 @@ class PromiseKeeper
     // The run starts again, on the rung that it is on.
     void restart();
 
-    const AutoGoal& goal() const { return goal_; }
     const std::vector<Rung>& ladder() const { return ladder_; }
     std::size_t rung() const { return rung_; }
     const std::vector<RungChange>& changes() const { return changes_; }

@@ -21,8 +21,6 @@ class ChartBuilder
     // Rest positions [m] and faces, which must last as long as this does.
     ChartBuilder(std::span<const glm::vec3> rest_positions, std::span<const glm::uvec3> faces);
 
-    const MeshSides& sides() const { return sides_; }
-
     // A window that holds these faces and more around them; nothing where they do not all face one way, or where the
     // mesh does not cover the convex hull of their places once: a hole, a notch, two layers.
     std::optional<ChartWindow> window_of(std::span<const std::uint32_t> held);
