@@ -54,7 +54,6 @@ class ViewerSession
     void use_stable_substeps();
     void set_view_param(const ParamInfo& info, double value);
 
-
     // Writes the report of the frames since the last start.
     void write_report(const std::filesystem::path& path, const MachineInfo& machine);
 
