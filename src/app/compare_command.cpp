@@ -89,13 +89,14 @@ Outcome compare_methods(const std::vector<std::pair<Scene, SimParams>>& runs, st
                         const CompareFlags& flags, const Json& header)
 {
     const MethodCases all = method_cases(runs, methods_of_flags(flags), sizes);
+    const InterruptibleProgress progress("compare", flags.common.quiet);  // catches what would cut a line short
     PointStore store(flags.out, header);
     if (!flags.common.quiet) remark_on_points(store, "compare", flags.out);
     std::vector<SweepPoint> points;
     for (const CompareCase& c : all.cases)
         points.push_back({c.id(), [&c] { return compare_json({compare_point(c)}).at(0); }});
     Outcome outcome{{}, all.left_out, true};
-    outcome.whole = run_sweep(points, {}, store, InterruptibleProgress("compare", flags.common.quiet));
+    outcome.whole = run_sweep(points, {}, store, progress);
     for (const SweepPoint& point : points)
         if (store.holds(point.id)) outcome.points.push_back(compare_point_of(store.results().at(point.id)));
     return outcome;

@@ -128,9 +128,10 @@ int run_stability(const StabilityFlags& flags)
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     StabilitySweep sweep = sweep_of(scenes, size);
     const Json header = header_of(scenes, size);
+    const InterruptibleProgress progress("stability", quiet);  // catches what would cut a line short
     PointStore store(out, header);
     if (!quiet) remark_on_points(store, "stability", out);
-    const bool whole = run_sweep(sweep.points, shard, store, pool, InterruptibleProgress("stability", quiet));
+    const bool whole = run_sweep(sweep.points, shard, store, pool, progress);
     write_report(store.results(), header, sweep, out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "stability.json"));
     if (!whole) return static_cast<int>(ExitCode::interrupted);

@@ -115,11 +115,12 @@ int run_trade(const TradeFlags& flags)
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     const std::unique_ptr<Machine> machine = machine_with_gl(quiet);
     const Json header = header_of(scenes, *machine, flags.repeats);
+    const InterruptibleProgress progress("trade", quiet);  // catches what would cut a line short
     PointStore store(out, header);
     if (!quiet) remark_on_points(store, "trade", out);
 
     const TradeSweep sweep = sweep_of(std::move(scenes), header);
-    const bool whole = run_sweep(sweep.points, shard, store, InterruptibleProgress("trade", quiet));
+    const bool whole = run_sweep(sweep.points, shard, store, progress);
     machine->check_gl();
     write_report(store.results(), sweep_state(header, sweep.points, store.results()), out, quiet);
     if (!flags.common.json.empty()) write_whole(flags.common.json, read_text(out / "trade.json"));
