@@ -15,6 +15,7 @@
 #include "app/compare_command.h"
 #include "app/explain_command.h"
 #include "app/list_commands.h"
+#include "app/manual.h"
 #include "app/merge_command.h"
 #include "app/render_command.h"
 #include "app/stability_command.h"
@@ -87,6 +88,11 @@ int run(int argc, char** argv)
     CLI::App* params_command = program.add_subcommand("params", "List the parameters: default, range, unit");
     params_command->add_flag("--markdown", markdown, "As docs/parameters.md");
     params_command->callback([&] { status = nuno::list_params(markdown); });
+    program.add_subcommand("manual", "Print the man page")->callback([&] { fmt::print("{}", manual_page(program)); });
+    program.add_subcommand("completion", "Print a script that completes words in bash")->callback([&] {
+        fmt::print("{}", bash_completion(program));
+    });
+    program.footer(help_footer());
 
     try {
         program.parse(argc, argv);

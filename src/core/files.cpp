@@ -87,7 +87,11 @@ void check_can_write(const fs::path& path)
 fs::path root_directory()
 {
     const char* chosen = std::getenv("NUNO_ROOT");
-    return chosen && *chosen ? fs::path(chosen) : fs::path(NUNO_ROOT_DIR);
+    if (chosen && *chosen) return chosen;
+    std::error_code status;
+    const fs::path program = fs::read_symlink("/proc/self/exe", status);
+    const fs::path installed = program.parent_path().parent_path() / "share" / "nuno";
+    return fs::is_directory(installed / "assets", status) ? installed : fs::path(NUNO_ROOT_DIR);
 }
 
 }  // namespace nuno

@@ -24,7 +24,8 @@ void check_can_write(const std::filesystem::path& path);
 // Makes `directory` and its parents, and checks that a file can be made in it. Error where not.
 void make_writable_directory(const std::filesystem::path& directory);
 
-// The folder that holds shaders/ and assets/: $NUNO_ROOT where set, else the source tree that was built.
+// The folder that holds shaders/ and assets/: $NUNO_ROOT where set, else ../share/nuno of where the program is, as it is
+// installed, else the source tree that was built.
 std::filesystem::path root_directory();
 
 }  // namespace nuno
