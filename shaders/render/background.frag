@@ -3,12 +3,12 @@
 #include "shared/render_bindings.h"
 #include "render/view_block.glsl"
 #include "render/background.glsl"
-#include "render/srgb.glsl"
+#include "render/display.glsl"
 
 in vec2 corner;
 out vec4 colour;
 
 void main()
 {
-    colour = to_srgb(background(normalize(ray_forward.xyz + corner.x * ray_right.xyz + corner.y * ray_up.xyz)));
+    colour = to_display(background(normalize(ray_forward.xyz + corner.x * ray_right.xyz + corner.y * ray_up.xyz)));
 }

@@ -2,7 +2,6 @@
 vec3 background(vec3 direction)
 {
     float height = direction.y;
-    vec3 above = mix(zenith_colour.rgb, horizon_colour.rgb, exp(-3.0 * max(height, 0.0)));
-    vec3 below = mix(nadir_colour.rgb, horizon_colour.rgb, exp(-3.0 * max(-height, 0.0)));
-    return height > 0.0 ? above : below;
+    vec3 far = height > 0.0 ? zenith_colour.rgb : nadir_colour.rgb;
+    return mix(far, horizon_colour.rgb, exp(-3.0 * abs(height)));
 }

@@ -2,6 +2,7 @@
 // Gouraud shading: the light on both sides of the cloth, at each vertex.
 #include "shared/render_bindings.h"
 #include "render/view_block.glsl"
+#include "render/above_floor.glsl"
 #include "render/lighting.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
@@ -18,5 +19,6 @@ void main()
     front_light = light_on_cloth(normal);
     back_light = light_on_cloth(-normal);
     texture_uv = texture_scale * uv;
+    cut_at_floor(position);
     gl_Position = view_projection * vec4(position, 1.0);
 }

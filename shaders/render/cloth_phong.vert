@@ -2,6 +2,7 @@
 // Phong shading: hands position and normal on to every pixel.
 #include "shared/render_bindings.h"
 #include "render/view_block.glsl"
+#include "render/above_floor.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
@@ -17,5 +18,6 @@ void main()
     world_position = position;
     world_normal = normal;
     texture_uv = texture_scale * uv;
+    cut_at_floor(position);
     gl_Position = view_projection * vec4(position, 1.0);
 }

@@ -2,12 +2,18 @@
 // The floor: faint tiles, the shadow, and a fade into the background with the distance from the stage.
 #include "shared/render_bindings.h"
 #include "render/view_block.glsl"
-#include "render/lighting.glsl"
 #include "render/background.glsl"
-#include "render/srgb.glsl"
+#include "render/display.glsl"
+#ifdef SOFT_SHADOWS
+#include "render/fabric_block.glsl"
+#include "render/floor_penumbra.glsl"
+#else
+#include "render/floor_shadow.glsl"
+#endif
 
-layout(binding = UNIT_FLOOR_SHADOW) uniform sampler2D floor_shadow;
 in vec3 world_position;
+flat in vec3 key;
+flat in vec3 soft;
 out vec4 colour;
 
 // 0 and 1 on the tiles in turns, averaged over the pixel.
@@ -21,20 +27,18 @@ float tiles(vec2 p)
 // How much of the key light cloth and bodies take away.
 float shadow_at(vec2 on_floor)
 {
-    if (shadow_centre.w == 0.0) return 0.0;
-    return texture(floor_shadow, 0.5 + 0.5 * on_floor / shadow_centre.w).r;
+    return shadow_centre.w > 0.0 ? floor_shadow_at(on_floor / shadow_centre.w) : 0.0;
 }
 
 void main()
 {
     vec3 from_shadow = world_position - shadow_centre.xyz;
-    vec3 n = floor_plane.xyz;
     float shadow = shadow_at(vec2(dot(from_shadow, floor_across.xyz), dot(from_shadow, floor_along.xyz)));
-    vec3 light = (1.0 - 0.9 * shadow) * key_on(n) + (1.0 - 0.25 * shadow) * soft_on(n);
+    vec3 light = (1.0 - 0.9 * shadow) * key + (1.0 - 0.25 * shadow) * soft;
     const float tile_side = 0.25;  // [m]
     vec2 tile = vec2(dot(world_position, floor_across.xyz), dot(world_position, floor_along.xyz)) / tile_side;
     vec3 surface = light * mix(tile_dark.rgb, tile_light.rgb, tiles(tile));
     float distance_sq = dot(world_position - floor_centre.xyz, world_position - floor_centre.xyz);
     float near = exp(-distance_sq / (floor_centre.w * floor_centre.w));
-    colour = to_srgb(mix(background(normalize(world_position - eye.xyz)), surface, near));
+    colour = to_display(mix(background(normalize(world_position - eye.xyz)), surface, near));
 }

@@ -1,6 +1,6 @@
 #version 430 core
 // Smooth normals: for each vertex the sum of its faces' normals, weighted by area, in the order of the faces, made
-// unit.
+// unit. Where FOLDS is defined, w is how much the cloth bends towards its normal, as a curvature [1/m].
 #include "shared/render_bindings.h"
 layout(local_size_x = NORMAL_GROUP_SIZE) in;
 
@@ -18,13 +18,28 @@ void main()
     int first = int(texelFetch(corner_starts, int(vertex)).x);
     int end = int(texelFetch(corner_starts, int(vertex) + 1).x);
     vec3 sum = vec3(0.0);
+#ifdef FOLDS
+    vec3 away = vec3(0.0);
+    float away_sq = 0.0;
+#endif
     for (int i = first; i < end; ++i) {
         uvec2 others = texelFetch(corners, i).xy;
         vec3 a = texelFetch(positions, int(others.x)).xyz - here;
         vec3 b = texelFetch(positions, int(others.y)).xyz - here;
         sum += cross(a, b);
+#ifdef FOLDS
+        away += a + b;
+        away_sq += dot(a, a) + dot(b, b);
+#endif
     }
     float size = length(sum);
     // Faces without area have no direction; any one will do.
-    normals[vertex] = size > 0.0 ? vec4(sum / size, 0.0) : vec4(0.0, 0.0, 1.0, 0.0);
+    vec3 n = size > 0.0 ? sum / size : vec3(0.0, 0.0, 1.0);
+#ifdef FOLDS
+    // A neighbour at distance d on an arc of curvature k stands k d^2 / 2 off the tangent plane.
+    float fold = away_sq > 0.0 ? 2.0 * dot(away, n) / away_sq : 0.0;
+#else
+    const float fold = 0.0;
+#endif
+    normals[vertex] = vec4(n, fold);
 }

@@ -5,7 +5,11 @@
 #include "render/shadow_projection.glsl"
 #include "render/placed_body.glsl"
 
+out float height;
+
 void main()
 {
-    gl_Position = on_shadow_square(placed_position());
+    vec3 p = placed_position();
+    height = height_over_floor(p);
+    gl_Position = on_shadow_square(p);
 }

@@ -6,7 +6,10 @@
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 
+out float height;
+
 void main()
 {
+    height = height_over_floor(position);
     gl_Position = on_shadow_square(position);
 }

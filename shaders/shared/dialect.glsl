@@ -10,6 +10,8 @@
 #define floor_real floor
 #define sqrt_real sqrt
 #define sin_real sin
+#define exp_real exp
+#define pow_real pow
 
 // condition > 0 ? a : b, for every lane where the C++ side runs many particles at once.
 float select_positive(float condition, float a, float b)

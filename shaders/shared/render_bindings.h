@@ -3,6 +3,7 @@
 
 #define BLOCK_VIEW 2
 #define BLOCK_NORMALS 3
+#define BLOCK_FABRIC 4
 
 #define UNIT_CLOTH_TEXTURE 4
 #define UNIT_FLOOR_SHADOW 5
@@ -10,6 +11,10 @@
 #define UNIT_NORMAL_POSITIONS 7
 #define UNIT_CORNER_STARTS 8
 #define UNIT_CORNERS 9
+#define UNIT_WEAVE 10
+#define UNIT_KEY_COMPARED 11
+#define UNIT_KEY_DEPTH 12
+#define UNIT_LAYER 13
 
 #define ATTRIBUTE_POSITION 0
 #define ATTRIBUTE_NORMAL 1
@@ -20,5 +25,16 @@
 #define ATTRIBUTE_BODY_Z 6
 
 #define LOCATION_TEXTURE_SCALE 0
+#define LOCATION_WEAVE_SCALE 1
 #define LOCATION_NORMAL_COUNT 0
 #define LOCATION_BLUR_STEP 0
+#define LOCATION_SAMPLE_COUNT 0
+
+// A shadow on the floor is as soft as what throws it is high, up to this height [m].
+#define SHADOW_HEIGHT 2.0
+// The metres of light behind its map and before it, for each metre of the map's side.
+#define KEY_DEPTH_SIDES 2.0
+// Threads along a side of the weave's texture.
+#define WEAVE_THREADS 64
+// The brightest that it can hold, of the mean.
+#define WEAVE_BRIGHTEST 1.6f

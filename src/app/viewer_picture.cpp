@@ -16,15 +16,9 @@ void ViewerPicture::draw(ViewerSession& session, glm::ivec2 pixels, int covered,
     const glm::ivec2 size(std::max(pixels.x - covered, 1), pixels.y);
     Stopwatch watch;
     const double upload_before_ms = stage_ms.upload;
-    const int samples = session.view().samples;
-    if (!target_ || target_->width() != size.x || target_->height() != size.y || target_samples_ != samples) {
-        target_.emplace(size.x, size.y, samples);
-        target_samples_ = samples;
-    }
+    if (!target_ || target_->width() != size.x || target_->height() != size.y) target_.emplace(size.x, size.y, 1);
     session.draw({target_->id(), size.x, size.y}, stage_ms);
-    // Resolved first: a window's colours may have another format, into which samples cannot be averaged.
-    target_->resolve();
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->resolved_id());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
     glClear(GL_COLOR_BUFFER_BIT);

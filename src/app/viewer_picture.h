@@ -1,4 +1,4 @@
-// The picture in the window: drawn with several samples a pixel, shown, and read back for a photo.
+// The picture in the window: drawn, shown, and read back for a photo.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,6 @@ class ViewerPicture
 
   private:
     std::optional<Framebuffer> target_;
-    int target_samples_ = 0;  // as asked; the device may give fewer
 };
 
 // What the window shows now, before the buffers are swapped.

@@ -6,14 +6,15 @@
 
 namespace nuno {
 
-Texture::Texture(int width, int height, std::span<const std::uint8_t> rgba)
+Texture::Texture(int width, int height, std::span<const std::uint8_t> rgba, Texels texels)
 {
     assert(rgba.size() == 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glGenTextures(1, &id_);
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     // sRGB texels are made linear before they are filtered, which a shader could do only afterwards.
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    const GLint format = texels == Texels::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -8,12 +8,19 @@
 
 namespace nuno {
 
+// What the bytes of a texture are: colours, or parts of 1.
+enum class Texels
+{
+    srgb,
+    linear
+};
+
 class Texture
 {
   public:
     Texture() = default;  // no texture: id 0
     // `rgba` holds 4 width height bytes, rows bottom-up; it repeats in both directions and has mipmaps.
-    Texture(int width, int height, std::span<const std::uint8_t> rgba);
+    Texture(int width, int height, std::span<const std::uint8_t> rgba, Texels texels = Texels::srgb);
     ~Texture();
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;

@@ -5,12 +5,12 @@
 
 namespace nuno {
 
-TextureTarget::TextureTarget(int side) : side_(side)
+TextureTarget::TextureTarget(int side, GLenum format, int levels) : side_(side)
 {
     glGenTextures(1, &texture_);
     glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, side, side);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexStorage2D(GL_TEXTURE_2D, levels, format, side, side);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
@@ -33,6 +33,12 @@ void TextureTarget::begin() const
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, side_, side_);
+}
+
+void TextureTarget::make_levels() const
+{
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glGenerateMipmap(GL_TEXTURE_2D);
 }
 
 void TextureTarget::bind(GLuint unit) const

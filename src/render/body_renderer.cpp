@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 #include "render/body_mesh.h"
@@ -36,9 +37,34 @@ Instance instance_of(const PlacedBody& body, double time_s)
     return instance;
 }
 
+Bounds corners_of(const TriangleMesh& mesh)
+{
+    Bounds bounds{glm::vec3(0), glm::vec3(0)};
+    for (const glm::vec3& position : mesh.positions) {
+        bounds.low = glm::min(bounds.low, position);
+        bounds.high = glm::max(bounds.high, position);
+    }
+    return bounds;
+}
+
+// Of a mesh between `corners`, placed.
+Bounds placed_bounds(const Bounds& corners, const Instance& instance)
+{
+    const glm::vec3 position(instance.position);
+    Bounds bounds{position, position};
+    for (const glm::vec4& axis : instance.axis) {
+        const int k = static_cast<int>(&axis - instance.axis);
+        const glm::vec3 direction(axis), low = (axis.w * corners.low[k] - instance.position.w) * direction;
+        const glm::vec3 high = (axis.w * corners.high[k] + instance.position.w) * direction;
+        bounds.low += glm::min(low, high);
+        bounds.high += glm::max(low, high);
+    }
+    return bounds;
+}
+
 }  // namespace
 
-BodyRenderer::BodyRenderer() : program_(draw_program("render/body.vert", "render/body.frag"))
+BodyRenderer::BodyRenderer()
 {
     vertices_.attribute(ATTRIBUTE_POSITION, slot_geometry, 3, offsetof(BodyVertex, corner));
     vertices_.attribute(ATTRIBUTE_NORMAL, slot_geometry, 3, offsetof(BodyVertex, normal));
@@ -52,12 +78,12 @@ void BodyRenderer::build_geometry(const Bodies& bodies)
 {
     BodyGeometry geometry;
     append_rounded_box(geometry);
-    parts_ = {{0, static_cast<GLsizei>(geometry.indices.size()), 0, 0}};
+    parts_ = {{0, static_cast<GLsizei>(geometry.indices.size()), 0, 0, {glm::vec3(-1), glm::vec3(1)}}};
     built_.clear();
     for (const MeshBody& body : bodies.meshes) {
         const std::size_t first = geometry.indices.size();
         append_mesh(geometry, body.mesh);
-        parts_.push_back({first, static_cast<GLsizei>(geometry.indices.size() - first), 1, 0});
+        parts_.push_back({first, static_cast<GLsizei>(geometry.indices.size() - first), 1, 0, corners_of(body.mesh)});
         built_.push_back(body.grid);
     }
     geometry_ = make_buffer(geometry.vertices, GL_STATIC_DRAW);
@@ -80,16 +106,13 @@ void BodyRenderer::set_bodies(const Bodies& bodies, double time_s)
     const std::size_t round = instances.size() - bodies.meshes.size();
     parts_[0].instance_count = static_cast<GLsizei>(round);
     for (std::size_t k = 1; k < parts_.size(); ++k) parts_[k].first_instance = static_cast<GLuint>(round + k - 1);
+    bounds_.clear();
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        bounds_.push_back(placed_bounds(parts_[i < round ? 0 : i - round + 1].corners, instances[i]));
     const std::size_t bytes = instances.size() * sizeof(Instance);
     if (instances_.size_bytes() < bytes) instances_ = Buffer(bytes, nullptr, GL_DYNAMIC_DRAW);
     if (bytes > 0) instances_.update(0, instances);
     vertices_.vertices(slot_instances, instances_.id(), sizeof(Instance));
-}
-
-void BodyRenderer::draw() const
-{
-    program_.use();
-    draw_faces();
 }
 
 void BodyRenderer::draw_faces() const

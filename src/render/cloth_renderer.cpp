@@ -8,6 +8,7 @@
 
 #include "gl/barriers.h"
 #include "render/texture_file.h"
+#include "render/uv_scale.h"
 #include "shaders/shared/render_bindings.h"
 
 namespace nuno {
@@ -36,8 +37,6 @@ Texture load_texture(const std::filesystem::path& path)
 
 ClothRenderer::ClothRenderer(const ClothTopology& cloth)
     : normals_(cloth.faces, cloth.vertex_count),
-      gouraud_(draw_program("render/cloth_gouraud.vert", "render/cloth_gouraud.frag")),
-      phong_(draw_program("render/cloth_phong.vert", "render/cloth_phong.frag")),
       indices_(make_buffer(cloth.faces, GL_STATIC_DRAW)),
       uvs_(make_buffer(cloth.uvs, GL_STATIC_DRAW)),
       index_count_(static_cast<GLsizei>(3 * cloth.faces.size()))
@@ -48,11 +47,13 @@ ClothRenderer::ClothRenderer(const ClothTopology& cloth)
         assert(sheet.first_face + sheet.face_count <= cloth.faces.size());
         const auto [texture, is_new] = known.try_emplace(sheet.texture, textures_.size());
         if (is_new) textures_.push_back(load_texture(sheet.texture));
-        parts_.push_back(
-            {static_cast<GLsizei>(3 * sheet.first_face), static_cast<GLsizei>(3 * sheet.face_count), texture->second});
+        const auto faces = cloth.faces.subspan(sheet.first_face, sheet.face_count);
+        parts_.push_back({static_cast<GLsizei>(3 * sheet.first_face), static_cast<GLsizei>(3 * sheet.face_count),
+                          texture->second,
+                          cloth.rest.empty() ? glm::vec2(1) : metres_of_uv(faces, cloth.rest, cloth.uvs)});
     }
     vertices_.attribute(ATTRIBUTE_POSITION, slot_positions, 3);
-    vertices_.attribute(ATTRIBUTE_NORMAL, slot_normals, 3);
+    vertices_.attribute(ATTRIBUTE_NORMAL, slot_normals, 4);
     vertices_.attribute(ATTRIBUTE_UV, slot_uvs, 2);
     vertices_.vertices(slot_normals, normals_.buffer().id(), sizeof(glm::vec4));
     vertices_.vertices(slot_uvs, uvs_.id(), sizeof(glm::vec2));
@@ -64,24 +65,33 @@ GLuint ClothRenderer::upload_positions(std::span<const glm::vec4> positions)
     if (uploaded_.size_bytes() != positions.size_bytes())
         uploaded_ = Buffer(positions.size_bytes(), nullptr, GL_STREAM_DRAW);
     uploaded_.update(0, std::as_bytes(positions));
+    uploaded_bounds_ = bounds_of(positions);
     return uploaded_.id();
 }
 
-void ClothRenderer::set_positions(GLuint positions)
+std::optional<Bounds> ClothRenderer::bounds() const
 {
-    normals_.update(positions);
+    if (positions_ == 0 || positions_ != uploaded_.id()) return std::nullopt;
+    return uploaded_bounds_;
+}
+
+void ClothRenderer::set_positions(GLuint positions, NormalKind kind)
+{
+    positions_ = positions;
+    normals_.update(positions, kind);
     vertices_.vertices(slot_positions, positions, sizeof(glm::vec4));
     barrier_compute_to_draw();
 }
 
-void ClothRenderer::draw(Look look, float texture_scale) const
+void ClothRenderer::draw(const Program& program, const TextureScale& scale) const
 {
-    const Program& program = look == Look::gouraud ? gouraud_ : phong_;
-    program.set(LOCATION_TEXTURE_SCALE, texture_scale);
+    program.set(LOCATION_TEXTURE_SCALE, scale.repeats);
     program.use();
     vertices_.bind();
     for (const Part& part : parts_) {
         textures_[part.texture].bind(UNIT_CLOTH_TEXTURE);
+        if (scale.thread_spacing)
+            program.set(LOCATION_WEAVE_SCALE, part.metres / (*scale.thread_spacing * WEAVE_THREADS));
         // OpenGL takes an offset in the index buffer as a pointer.
         const auto offset = static_cast<std::uintptr_t>(part.first_index) * sizeof(GLuint);
         const void* first = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,8 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "render/pixel_box.h"
 #include "render/vertex_normals.h"
-#include "render/view_params.h"
 
 namespace nuno {
 
@@ -33,6 +34,14 @@ struct ClothTopology
     std::span<const glm::uvec3> faces;  // vertex indices, counter-clockwise seen from the front
     std::span<const glm::vec2> uvs;     // one a vertex; (0, 0) is the lower left corner of the texture
     std::span<const DrawnSheet> sheets;
+    std::span<const glm::vec3> rest;  // positions [m], one a vertex, which tell how large a texture is; empty: 1 m
+};
+
+// How often textures repeat.
+struct TextureScale
+{
+    float repeats = 1;                    // of the texture along a sheet
+    std::optional<float> thread_spacing;  // [m], for programs that show threads
 };
 
 class ClothRenderer
@@ -44,11 +53,18 @@ class ClothRenderer
     // Copies positions from the CPU into the renderer's own buffer and returns its name, for set_positions.
     GLuint upload_positions(std::span<const glm::vec4> positions);
 
-    // The cloth is drawn from this buffer (vec4 a vertex, xyz [m] used) from now on; computes its normals.
-    void set_positions(GLuint positions);
+    // Of the positions that were uploaded; nothing where those that are drawn are another buffer's.
+    std::optional<Bounds> bounds() const;
 
-    // Draws with the uniform block View bound.
-    void draw(Look look, float texture_scale) const;
+    // Makes the kernel of its normals, unless it is there.
+    void prepare(NormalKind kind) { normals_.prepare(kind); }
+
+    // The cloth is drawn from this buffer (vec4 a vertex, xyz [m] used) from now on; computes its normals, and
+    // folds where `kind` asks for them.
+    void set_positions(GLuint positions, NormalKind kind);
+
+    // Draws with a look's program and the uniform block View bound.
+    void draw(const Program& program, const TextureScale& scale) const;
 
     // Draws the faces alone, for a program that is already in use.
     void draw_faces() const;
@@ -58,15 +74,17 @@ class ClothRenderer
     {
         GLsizei first_index, index_count;
         std::size_t texture;  // of textures_
+        glm::vec2 metres;     // of a sheet along u and v
     };
 
     VertexNormals normals_;
-    Program gouraud_, phong_;
     Buffer indices_, uvs_, uploaded_;
     VertexArray vertices_;
     std::vector<Texture> textures_;
     std::vector<Part> parts_;
     GLsizei index_count_;
+    GLuint positions_ = 0;      // drawn from
+    Bounds uploaded_bounds_{};  // of uploaded_
 };
 
 }  // namespace nuno

@@ -1,4 +1,4 @@
-// The soft shadow that cloth and bodies cast on the floor.
+// The shadow that cloth and bodies cast on the floor, as a map of the floor.
 #pragma once
 
 #include "gl/program.h"
@@ -9,13 +9,27 @@
 
 namespace nuno {
 
+// Draws what stands in the key light as the floor sees it, shaders/render/shadow.frag.
+class FloorCasters
+{
+  public:
+    FloorCasters();
+
+    // Over what `target` holds, with the uniform block View bound and without depth.
+    void draw(const TextureTarget& target, const ClothRenderer& cloth, const BodyRenderer& bodies) const;
+
+  private:
+    Program cloth_, body_;
+};
+
+// Softened alike everywhere.
 class FloorShadow
 {
   public:
     FloorShadow();
 
-    // Draws what stands in the key light as seen from it, and softens it. Draws into its own texture, with the uniform
-    // block View bound; the caller binds its framebuffer and viewport again.
+    // Draws into its own texture, with the uniform block View bound; the caller binds its framebuffer and viewport
+    // again.
     void update(const ClothRenderer& cloth, const BodyRenderer& bodies) const;
 
     // Binds the texture, 1 in full shadow, for a sampler2D whose binding is `unit`.
@@ -24,9 +38,24 @@ class FloorShadow
   private:
     void soften(const TextureTarget& from, const TextureTarget& to, glm::vec2 direction) const;
 
-    Program cloth_, body_, blur_;
+    FloorCasters casters_;
+    Program blur_;
     TextureTarget mask_, between_;
     VertexArray no_vertices_;
+};
+
+// Not softened, but with its averages over wider and wider squares, and how high its casters stand: what
+// shaders/render/floor_penumbra.glsl reads.
+class FloorMask
+{
+  public:
+    FloorMask();
+    void update(const ClothRenderer& cloth, const BodyRenderer& bodies) const;
+    void bind(GLuint unit) const { mask_.bind(unit); }
+
+  private:
+    FloorCasters casters_;
+    TextureTarget mask_;
 };
 
 }  // namespace nuno

@@ -1,10 +1,12 @@
-// The order of one picture: normals, shadow, then front to back, so that little is shaded twice.
+// The order of one picture: normals, shadows, what stands around, and over it cloth and bodies.
 #include "render/scene_view.h"
 
 #include <cassert>
+#include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "gl/barriers.h"
-#include "render/view_block.h"
 #include "shaders/shared/render_bindings.h"
 
 namespace nuno {
@@ -28,45 +30,95 @@ void begin_picture(const Viewport& viewport)
     glDepthFunc(GL_LESS);
 }
 
+NormalKind normals_of(Look look) { return look == Look::cloth ? NormalKind::with_folds : NormalKind::plain; }
+
 }  // namespace
+
+void SceneView::prepare(Look look)
+{
+    std::optional<LookPrograms>& programs = programs_[static_cast<std::size_t>(look)];
+    if (!programs) programs = make_look_programs(look);
+    cloth_.prepare(normals_of(look));
+    if (look == Look::cloth && !fabric_light_) fabric_light_.emplace();
+    if (look != Look::cloth && !floor_shadow_) floor_shadow_.emplace();
+}
+
+// Draws the maps of shadows that the look reads, and binds them.
+void SceneView::cast_shadows(const ViewParams& params, const ViewBlock& block, float aspect)
+{
+    const bool on_floor = params.floor && block.shadow_centre.w > 0;
+    if (params.look == Look::cloth) return fabric_light_->update(params, aspect, on_floor, cloth_, bodies_);
+    if (on_floor) floor_shadow_->update(cloth_, bodies_);
+    floor_shadow_->bind(UNIT_FLOOR_SHADOW);
+}
+
+// What cloth and bodies can cover.
+PixelBox SceneView::figure_pixels(const ViewBlock& block, glm::ivec2 size) const
+{
+    const std::optional<Bounds> cloth = cloth_.bounds();
+    if (!cloth) return {{0, 0}, size};
+    std::vector<Bounds> boxes(bodies_.bounds().begin(), bodies_.bounds().end());
+    boxes.push_back(*cloth);
+    return pixels_of(boxes, block.view_projection, size);
+}
+
+void SceneView::draw_figures(const ViewParams& params) const
+{
+    const LookPrograms& programs = *programs_[static_cast<std::size_t>(params.look)];
+    TextureScale scale{params.texture_scale, {}};
+    if (params.look == Look::cloth) scale.thread_spacing = params.thread_spacing;
+    // First what mostly hides the other, so that little is shaded twice.
+    cloth_.draw(programs.cloth, scale);
+    programs.body.use();
+    bodies_.draw_faces();
+}
+
+// Over what stands around them, which the picture holds already.
+void SceneView::draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport)
+{
+    const glm::ivec2 size(viewport.width, viewport.height);
+    const PixelBox box = figure_pixels(block, size);
+    if (box.low == box.high) return;
+    layer_.begin(size, params.samples, box);
+    const bool floor_hides =
+        params.floor && glm::dot(glm::vec3(block.floor_plane), glm::vec3(block.eye)) > block.floor_plane.w;
+    if (floor_hides) glEnable(GL_CLIP_DISTANCE0);
+    draw_figures(params);
+    glDisable(GL_CLIP_DISTANCE0);
+    layer_.lay_over(viewport.framebuffer);
+}
 
 void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport)
 {
     assert(viewport.width > 0 && viewport.height > 0);
-    const Camera camera = make_camera(params, float(viewport.width) / float(viewport.height));
+    prepare(params.look);
+    const LookPrograms& programs = *programs_[static_cast<std::size_t>(params.look)];
+    const float aspect = float(viewport.width) / float(viewport.height);
+    const Camera camera = make_camera(params, aspect);
     const ViewBlock block = make_view_block(params, camera, floor_of(params, bodies.bodies, bodies.time_s));
     if (view_block_.size_bytes() == 0) view_block_ = Buffer(sizeof block, nullptr, GL_STREAM_DRAW);
     view_block_.update(0, std::as_bytes(std::span(&block, 1)));
     view_block_.bind_block(GL_UNIFORM_BUFFER, BLOCK_VIEW);
-    cloth_.set_positions(positions);
+    cloth_.set_positions(positions, normals_of(params.look));
     bodies_.set_bodies(bodies.bodies, bodies.time_s);
     begin_picture(viewport);
-    const bool shadow = params.floor && block.shadow_centre.w > 0;
-    if (shadow) {
-        shadow_.update(cloth_, bodies_);
-        begin_picture(viewport);
-    }
-    shadow_.bind(UNIT_FLOOR_SHADOW);
+    cast_shadows(params, block, aspect);
+    begin_picture(viewport);
     // Every pixel is drawn, so only the depth is cleared.
     glClear(GL_DEPTH_BUFFER_BIT);
-    bodies_.draw();
-    cloth_.draw(params.look, params.texture_scale);
-    if (params.floor) stage_.draw_floor();
-    stage_.draw_background();
+    if (params.samples == 1) draw_figures(params);
+    if (params.floor) stage_.draw_floor(programs.floor);
+    stage_.draw_background(programs.background);
+    if (params.samples > 1) draw_smooth_figures(params, block, viewport);
     glBindVertexArray(0);
     barrier_draw_to_compute();
 }
 
 void SceneView::draw_picture(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, Picture& picture)
 {
-    if (!target_ || target_->width() != params.width || target_->height() != params.height ||
-        target_samples_ != params.samples)
-    {
-        target_.emplace(params.width, params.height, params.samples);
-        target_samples_ = params.samples;
-    }
+    if (!target_ || target_->width() != params.width || target_->height() != params.height)
+        target_.emplace(params.width, params.height, 1);
     draw(params, positions, bodies, {target_->id(), params.width, params.height});
-    target_->resolve();
     picture.width = params.width;
     picture.height = params.height;
     target_->read_rgba(picture.rgba);

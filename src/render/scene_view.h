@@ -1,6 +1,7 @@
 // One picture of a scene: cloth, bodies, floor and background, in a window or off screen.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -11,9 +12,13 @@
 #include "model/body.h"
 #include "render/body_renderer.h"
 #include "render/cloth_renderer.h"
+#include "render/fabric_light.h"
+#include "render/figure_layer.h"
 #include "render/floor_shadow.h"
+#include "render/look_programs.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
+#include "render/view_block.h"
 #include "render/view_params.h"
 
 namespace nuno {
@@ -41,21 +46,31 @@ class SceneView
     // Positions that the CPU holds, as a buffer that the draws below take.
     GLuint upload_positions(std::span<const glm::vec4> positions) { return cloth_.upload_positions(positions); }
 
-    // Draws into `viewport`; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels
+    // Draws into `viewport`, one sample a pixel, but cloth and bodies smoothed by params.samples; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels
     // leave it. Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
     void draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport);
 
     // Draws params.width x height pixels off screen and waits for them.
     void draw_picture(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, Picture& picture);
 
+    // Makes what a look draws with, unless it is there: else its first picture does.
+    void prepare(Look look);
+
   private:
+    void cast_shadows(const ViewParams& params, const ViewBlock& block, float aspect);
+    void draw_figures(const ViewParams& params) const;
+    void draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport);
+    PixelBox figure_pixels(const ViewBlock& block, glm::ivec2 size) const;
+
     ClothRenderer cloth_;
     BodyRenderer bodies_;
     StageRenderer stage_;
-    FloorShadow shadow_;
+    FigureLayer layer_;
+    std::array<std::optional<LookPrograms>, 3> programs_;  // by look
+    std::optional<FloorShadow> floor_shadow_;              // of the looks without a light of their own
+    std::optional<FabricLight> fabric_light_;              // of the look `cloth`
     Buffer view_block_;
     std::optional<Framebuffer> target_;
-    int target_samples_ = 0;  // as asked; the device may give fewer
 };
 
 }  // namespace nuno

@@ -3,28 +3,24 @@
 
 namespace nuno {
 
-StageRenderer::StageRenderer()
-    : floor_(draw_program("render/floor.vert", "render/floor.frag")),
-      background_(draw_program("render/whole_picture.vert", "render/background.frag"))
+void StageRenderer::draw_floor(const Program& program) const
 {
-}
-
-void StageRenderer::draw_floor() const
-{
-    floor_.use();
+    program.use();
     no_vertices_.bind();
     glEnable(GL_CULL_FACE);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glDisable(GL_CULL_FACE);
 }
 
-void StageRenderer::draw_background() const
+void StageRenderer::draw_background(const Program& program) const
 {
-    background_.use();
+    program.use();
     no_vertices_.bind();
-    // It lies at the greatest depth there is.
+    // It lies at the greatest depth there is, which needs no writing.
     glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 }
 

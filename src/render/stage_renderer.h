@@ -9,15 +9,12 @@ namespace nuno {
 class StageRenderer
 {
   public:
-    StageRenderer();
-
-    // Both draw with the uniform block View bound, after all that stands in front of them. The floor is seen from above
-    // only, and shows the texture bound to UNIT_FLOOR_SHADOW.
-    void draw_floor() const;
-    void draw_background() const;
+    // Both draw with a look's program and the uniform block View bound, after all that stands in front of them. The
+    // floor is seen from above only, and shows the texture bound to UNIT_FLOOR_SHADOW.
+    void draw_floor(const Program& program) const;
+    void draw_background(const Program& program) const;
 
   private:
-    Program floor_, background_;
     VertexArray no_vertices_;
 };
 

@@ -34,8 +34,7 @@ CornerTable corner_table(std::span<const glm::uvec3> faces, std::uint32_t vertex
 }  // namespace
 
 VertexNormals::VertexNormals(std::span<const glm::uvec3> faces, std::uint32_t vertex_count)
-    : program_(compute_program("render/normals.comp")),
-      vertex_count_(vertex_count),
+    : vertex_count_(vertex_count),
       normals_(vertex_count * sizeof(glm::vec4), nullptr, GL_DYNAMIC_COPY),
       positions_view_(GL_RGBA32F),
       starts_view_(GL_R32UI),
@@ -46,10 +45,19 @@ VertexNormals::VertexNormals(std::span<const glm::uvec3> faces, std::uint32_t ve
     corners_ = make_buffer(table.corners, GL_STATIC_DRAW);
     starts_view_.view(starts_.id(), starts_.size_bytes());
     corners_view_.view(corners_.id(), corners_.size_bytes());
-    program_.set(LOCATION_NORMAL_COUNT, vertex_count);
 }
 
-void VertexNormals::update(GLuint positions)
+void VertexNormals::prepare(NormalKind kind)
+{
+    std::optional<Program>& program = programs_[static_cast<std::size_t>(kind)];
+    if (program) return;
+    std::vector<Define> defines;
+    if (kind == NormalKind::with_folds) defines = {{"FOLDS", "1"}};
+    program = compute_program("render/normals.comp", defines);
+    program->set(LOCATION_NORMAL_COUNT, vertex_count_);
+}
+
+void VertexNormals::update(GLuint positions, NormalKind kind)
 {
     // Attached anew each time: the name of a deleted buffer may have come back as another one.
     positions_view_.view(positions, vertex_count_ * sizeof(glm::vec4));
@@ -57,7 +65,8 @@ void VertexNormals::update(GLuint positions)
     starts_view_.bind(UNIT_CORNER_STARTS);
     corners_view_.bind(UNIT_CORNERS);
     normals_.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_NORMALS);
-    program_.use();
+    prepare(kind);
+    programs_[static_cast<std::size_t>(kind)]->use();
     barrier_compute_to_compute();
     barrier_draw_to_compute();
     glDispatchCompute((vertex_count_ + NORMAL_GROUP_SIZE - 1) / NORMAL_GROUP_SIZE, 1, 1);

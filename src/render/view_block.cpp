@@ -44,7 +44,7 @@ glm::vec3 direction_of(float azimuth_deg, float elevation_deg)
 
 void set_lights(ViewBlock& block, const ViewParams& params, const Palette& palette)
 {
-    block.key_direction = glm::vec4(direction_of(params.light_azimuth, params.light_elevation), 0);
+    block.key_direction = glm::vec4(key_direction(params), 0);
     block.key_light = glm::vec4(params.key_light * glm::vec3(1.0f, 0.97f, 0.92f), params.translucency);
     // From the other side, so that what the key light leaves dark is seen.
     block.fill_direction = glm::vec4(direction_of(params.light_azimuth + 115, 15), 0);
@@ -75,6 +75,8 @@ void set_floor(ViewBlock& block, const ViewParams& params, const Plane& floor)
 }
 
 }  // namespace
+
+glm::vec3 key_direction(const ViewParams& params) { return direction_of(params.light_azimuth, params.light_elevation); }
 
 ViewBlock make_view_block(const ViewParams& params, const Camera& camera, const Plane& floor)
 {

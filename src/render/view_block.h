@@ -20,6 +20,9 @@ struct ViewBlock
     glm::vec4 floor_plane, floor_centre, floor_across, floor_along, shadow_centre;
 };
 
+// Towards the key light, of unit length.
+glm::vec3 key_direction(const ViewParams& params);
+
 // `floor`: the plane that is shown, of unit normal.
 ViewBlock make_view_block(const ViewParams& params, const Camera& camera, const Plane& floor);
 

@@ -4,7 +4,7 @@
 namespace nuno {
 namespace {
 
-constexpr std::string_view kLooks[] = {"gouraud", "phong"};
+constexpr std::string_view kLooks[] = {"gouraud", "phong", "cloth"};
 constexpr std::string_view kBackgrounds[] = {"studio", "daylight", "night"};
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace nuno {
 enum class Look : std::int32_t
 {
     gouraud,
-    phong
+    phong,
+    cloth
 };
 enum class Background : std::int32_t
 {

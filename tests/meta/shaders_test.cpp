@@ -52,7 +52,8 @@ void compile_everything(const Bodies& bodies, bool as_mesh)
         params.gust_speed = 1;
         make_solver(model, bodies, params, pool);
     }
-    SceneView({model.vertex_count(), model.faces, model.uvs, {}});
+    SceneView view({model.vertex_count(), model.faces, model.uvs, {}, {}});
+    for (std::size_t look = 0; look < choice_names(Look{}).size(); ++look) view.prepare(static_cast<Look>(look));
 }
 
 // The shaders of the source tree by their path under shaders/, the formulas that C++ shares included.

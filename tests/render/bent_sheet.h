@@ -22,7 +22,7 @@ struct BentSheet
     std::vector<glm::uvec3> faces;
     std::vector<DrawnSheet> sheets;
 
-    ClothTopology topology() const { return {static_cast<std::uint32_t>(positions.size()), faces, uvs, sheets}; }
+    ClothTopology topology() const { return {static_cast<std::uint32_t>(positions.size()), faces, uvs, sheets, {}}; }
 };
 
 inline std::filesystem::path texture_path(const char* name) { return root_directory() / "assets/textures" / name; }

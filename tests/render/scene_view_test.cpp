@@ -126,6 +126,46 @@ TEST_F(SceneViewTest, cloth_follows_the_buffer_it_is_drawn_from)
     EXPECT_EQ(with.rgba, again.rgba);
 }
 
+// Of positions that were uploaded it is known where they are, and only there samples are drawn; of others it is not.
+TEST_F(SceneViewTest, uploaded_positions_are_drawn_as_those_of_any_buffer)
+{
+    const BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));
+    SceneView view(sheet.topology());
+    const Buffer buffer = make_buffer(sheet.positions, GL_STATIC_DRAW);
+    bodies.spheres = {{{0.9f, 0.3f, 0.2f}, 0.2f}};
+    bodies.capsules = {{{-0.9f, -0.3f, 0}, {-0.7f, 0.9f, 0.3f}, 0.1f}};
+    bodies.boxes.resize(1);
+    bodies.boxes[0].centre = {0, -0.4f, 0.5f};
+    bodies.boxes[0].size = {1, 0.2f, 0.2f};
+    for (const float distance : {0.3f, 1.0f, 2.6f, 12.0f})
+        for (const float azimuth : {10.0f, 130.0f, -100.0f}) {
+            params.camera_distance = distance;
+            params.camera_azimuth = azimuth;
+            Picture everywhere, within;
+            view.draw_picture(params, buffer.id(), {bodies}, everywhere);
+            view.draw_picture(params, view.upload_positions(sheet.positions), {bodies}, within);
+            EXPECT_EQ(everywhere.rgba, within.rgba) << distance << " m, " << azimuth << " degrees";
+        }
+}
+
+TEST_F(SceneViewTest, samples_smooth_the_edge_of_a_body)
+{
+    params.floor = 0;
+    params.translucency = params.fill_light = params.key_light = params.ambient = 0;
+    bodies.spheres = {{{0, 0.4f, 0.8f}, 0.5f}};
+    const BentSheet sheet = bent_sheet(5, {});
+    // The ball and the cloth are black, the background is bright: what is neither lies on an edge.
+    const auto grey_pixels = [&](int samples) {
+        params.samples = samples;
+        const Picture picture = draw(sheet);
+        int count = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i] > 8 && picture.rgba[i] < 120;
+        return count;
+    };
+    EXPECT_EQ(grey_pixels(1), 0);
+    EXPECT_GT(grey_pixels(4), 100);
+}
+
 TEST_F(SceneViewTest, a_sphere_hides_the_cloth_behind_it)
 {
     const BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));

@@ -14,10 +14,11 @@ namespace {
 
 using VertexNormalsTest = GlTest;
 
-std::vector<glm::vec4> kernel_normals(VertexNormals& normals, std::span<const glm::vec4> positions)
+std::vector<glm::vec4> kernel_normals(VertexNormals& normals, std::span<const glm::vec4> positions,
+                                      NormalKind kind = NormalKind::plain)
 {
     const Buffer buffer = make_buffer(positions, GL_STATIC_DRAW);
-    normals.update(buffer.id());
+    normals.update(buffer.id(), kind);
     barrier_compute_to_readback();
     std::vector<glm::vec4> result(positions.size());
     normals.buffer().read(0, std::span(result));
@@ -54,6 +55,24 @@ TEST_F(VertexNormalsTest, faces_without_area_give_unit_normals)
     VertexNormals normals(faces, 5);
     for (const glm::vec4& normal : kernel_normals(normals, positions)) EXPECT_EQ(glm::length(normal), 1.0f);
     for (const glm::vec3& normal : smooth_normals(positions, faces)) EXPECT_EQ(glm::length(normal), 1.0f);
+}
+
+// A cylinder of radius r bends by 1 / r one way and not at all the other: 1 / (2 r) on the mean.
+TEST_F(VertexNormalsTest, folds_are_the_mean_curvature_towards_the_normal)
+{
+    const float radius = 0.2f;
+    BentSheet sheet = bent_sheet(41, {});
+    for (std::size_t v = 0; v < sheet.positions.size(); ++v) {
+        const glm::vec2 at = sheet.uvs[v] * 0.4f;
+        sheet.positions[v] = {radius * std::sin(at.x / radius), at.y, -radius * std::cos(at.x / radius), 1};
+    }
+    VertexNormals normals(sheet.faces, static_cast<std::uint32_t>(sheet.positions.size()));
+    const std::size_t middle = 20 * 41 + 20;
+    // The front looks towards +z, into the hollow.
+    EXPECT_NEAR(kernel_normals(normals, sheet.positions, NormalKind::with_folds)[middle].w, 0.5f / radius, 0.1f);
+    EXPECT_EQ(kernel_normals(normals, sheet.positions)[middle].w, 0.0f);
+    for (glm::vec4& position : sheet.positions) position.z = -position.z;
+    EXPECT_NEAR(kernel_normals(normals, sheet.positions, NormalKind::with_folds)[middle].w, -0.5f / radius, 0.1f);
 }
 
 // Each field of View lies where the struct that is copied into it has it.
