@@ -27,7 +27,7 @@ if(NOT PKG_CONFIG_FOUND)
 endif()
 
 set(NUNO_DEPENDENCIES
-    cli11 egl fmt glad glfw glm imgui libpng nlohmann_json stb threads tinyobjloader tomlplusplus)
+    cli11 egl fmt glad glfw glm imgui libpng nlohmann_json stb threads tomlplusplus)
 if(NUNO_TESTS)
     list(APPEND NUNO_DEPENDENCIES gmp cgal googletest valijson)
 endif()

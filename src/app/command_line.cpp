@@ -80,6 +80,17 @@ SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name)
     return run;
 }
 
+std::vector<ViewSetting> view_settings(const ViewParams& view)
+{
+    std::vector<ViewSetting> settings;
+    for (const ParamInfo& info : view_param_table())
+        settings.push_back({.name = std::string(info.name),
+                            .text = param_text(info, param_value(info, &view)),
+                            .where = {},
+                            .quoted = info.type == ParamType::choice});
+    return settings;
+}
+
 bool sets(const CommonFlags& flags, std::string_view name)
 {
     const std::pair<std::string_view, const std::string*> named[] = {{"method", &flags.method},

@@ -38,6 +38,9 @@ struct SceneRun
 // Error naming the flag, or file and line, where a name or a value is wrong.
 SceneRun prepare_run(const CommonFlags& flags, const std::string& scene_name);
 
+// The parameters of a picture as a scene file has them.
+std::vector<ViewSetting> view_settings(const ViewParams& view);
+
 // Whether a parameter is set on the command line, by its flag or by --set.
 bool sets(const CommonFlags& flags, std::string_view name);
 

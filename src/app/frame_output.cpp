@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/cloth_view.h"
 #include "app/video_file.h"
-#include "core/files.h"
+#include "core/error.h"
 #include "core/stopwatch.h"
 #include "render/frame_writer.h"
 
@@ -20,13 +22,12 @@ struct FrameOutput::Pictures
 };
 
 FrameOutput::FrameOutput(const OutputPlan& plan, const Simulation& simulation, const ViewParams& view)
-    : plan_(plan), view_(view)
+    : plan_(plan), view_(view), meshes_(plan.mesh, simulation, view.texture_scale)
 {
     if (plan_.draws()) pictures_ = std::make_unique<Pictures>(simulation);
     if (!plan_.video.empty())
         pictures_->video.emplace(plan_.video, view_.width, view_.height,
                                  double(simulation.params().frame_rate) / plan_.every);
-    if (!plan_.pc2.empty()) point_cache_.emplace(simulation.model().vertex_count());
 }
 
 FrameOutput::~FrameOutput() = default;
@@ -34,8 +35,7 @@ FrameOutput::~FrameOutput() = default;
 void FrameOutput::write(Simulation& simulation, StageTimes& stage_ms)
 {
     if (pictures_) write_image(simulation, stage_ms);
-    if (plan_.mesh != MeshFormat::none) write_mesh(simulation);
-    if (point_cache_) point_cache_->add(simulation.state().positions);
+    meshes_.write(simulation);
 }
 
 void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
@@ -54,19 +54,21 @@ void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
     stage_ms.encode += watch.lap_ms();
 }
 
-void FrameOutput::write_mesh(Simulation& simulation)
-{
-    const MeshView mesh{simulation.state().positions, simulation.model().uvs, simulation.model().faces};
-    const bool obj = plan_.mesh == MeshFormat::obj;
-    write_whole(plan_.directory / fmt::format("mesh_{:05}.{}", simulation.frame(), obj ? "obj" : "ply"),
-                obj ? obj_text(mesh) : ply_text(mesh));
-}
-
 void FrameOutput::finish()
 {
-    if (pictures_) pictures_->writer.finish();
-    if (pictures_ && pictures_->video) pictures_->video->finish();
-    if (point_cache_) point_cache_->write(plan_.pc2);
+    std::optional<Error> first;
+    const auto attempt = [&first](auto finish_one) {
+        try {
+            finish_one();
+        } catch (const Error& error) {
+            if (!first) first = error;
+        }
+    };
+    if (pictures_) attempt([&] { pictures_->writer.finish(); });
+    if (pictures_ && pictures_->video) attempt([&] { pictures_->video->finish(); });
+    attempt([&] { meshes_.finish_cache(); });
+    attempt([&] { meshes_.finish_gltf(); });
+    if (first) throw *first;
 }
 
 }  // namespace nuno

@@ -15,8 +15,10 @@
 #include "app/progress.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "model/mesh_remarks.h"
 #include "sim/pose_check.h"
 #include "sim/run_recorder.h"
+#include "sim/saved_scene.h"
 #include "sim/start_check.h"
 
 namespace nuno {
@@ -27,16 +29,26 @@ OutputPlan plan_output(const RenderFlags& flags)
     OutputPlan plan;
     plan.directory = flags.out;
     plan.images = !flags.no_images && (flags.video.empty() || !flags.out.empty());
-    plan.mesh = flags.mesh == "obj" ? MeshFormat::obj : flags.mesh == "ply" ? MeshFormat::ply : MeshFormat::none;
-    plan.pc2 = flags.pc2;
     plan.video = flags.video;
+    const MeshFormat format = flags.mesh == "obj"   ? MeshFormat::obj
+                              : flags.mesh == "ply" ? MeshFormat::ply
+                                                    : MeshFormat::none;
+    plan.mesh = {flags.out, format, flags.pc2, flags.gltf};
     plan.every = flags.every;
-    const bool needs_directory = plan.images || plan.mesh != MeshFormat::none;
+    const bool needs_directory = plan.images || format != MeshFormat::none;
     if (needs_directory && flags.out.empty())
         throw Error("--out: is missing; name the directory that the frames go to");
     if (needs_directory) make_writable_directory(plan.directory);
-    for (const std::string& file : {flags.common.json, flags.pc2, flags.video})
+    for (const std::string& file : {flags.common.json, flags.csv, flags.pc2, flags.gltf, flags.video})
         if (!file.empty()) check_can_write(file);
+    if (!flags.save.empty()) check_can_save_scene(flags.save);
+    const auto wants_ending = [](const char* flag, const std::string& file, const char* ending) {
+        if (!file.empty() && std::filesystem::path(file).extension() != ending)
+            throw Error(
+                fmt::format("{} {}: is written in one format; give a name that ends in {}", flag, file, ending));
+    };
+    wants_ending("--pc2", flags.pc2, ".pc2");
+    wants_ending("--gltf", flags.gltf, ".glb");
     return plan;
 }
 
@@ -65,7 +77,7 @@ struct RunResult
 {
     ExitCode code = ExitCode::done;
     RunRecorder recorder;
-    std::optional<Error> went_bad;     // with what came before it recorded
+    std::optional<Error> failed;       // with what came before it recorded
     std::unique_ptr<PoseCheck> check;  // where asked for
     std::shared_ptr<PromiseKeeper> promise;
     std::uint64_t touching = 0;    // pairs of layers that touched as a pass began, in all frames
@@ -146,13 +158,25 @@ void run_frame(const RenderFlags& flags, const SceneRun& run, int frame, Simulat
         for (const std::string& line : result.check->look(frame, simulation.state().positions))
             fmt::print(stderr, "{}: {}\n", run.scene.name, line);
     if (frame % flags.every == 0) output.write(simulation, stats.stage_ms);
-    if (!flags.common.json.empty() || (run.check_applies && run.scene.check.frames > 0))
+    if (!flags.common.json.empty() || !flags.csv.empty() || (run.check_applies && run.scene.check.frames > 0))
         result.recorder.add(stats, simulation.diagnostics());
     if (run.check_applies && frame + 1 == run.scene.check.frames)
         result.code = report_check(run, result.recorder.metrics(), flags.common.quiet);
 }
 
-// Frame after frame; ends early, with all files whole, when interrupted or when the simulation goes bad.
+// Runs what may fail, and keeps the first error of all.
+template <class Action>
+void attempt(std::optional<Error>& failed, Action action)
+{
+    try {
+        action();
+    } catch (const Error& error) {
+        if (!failed) failed = error;
+    }
+}
+
+// Frame after frame; ends early, with all files whole, when interrupted, when the simulation goes bad or when a file
+// cannot be written.
 RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& simulation, FrameOutput& output,
                      std::shared_ptr<PromiseKeeper> promise)
 {
@@ -166,16 +190,11 @@ RunResult run_frames(const RenderFlags& flags, const SceneRun& run, Simulation& 
             result.code = ExitCode::interrupted;
             break;
         }
-        try {
-            run_frame(flags, run, frame, simulation, output, result);
-        } catch (const Error& error) {
-            if (error.code() != ExitCode::went_bad) throw;
-            result.went_bad = error;
-            break;
-        }
+        attempt(result.failed, [&] { run_frame(flags, run, frame, simulation, output, result); });
+        if (result.failed) break;
         progress.show(frame + 1);
     }
-    output.finish();
+    attempt(result.failed, [&] { output.finish(); });
     if (result.check) result.recorder.check = result.check->counts();
     if (result.code != ExitCode::interrupted) {
         const ExitCode collision = report_promise(run, simulation.start_check(), result, flags.common.quiet);
@@ -190,11 +209,23 @@ void remark(const RenderFlags& flags, const SceneRun& run, const Machine& machin
     if (flags.common.quiet) return;
     machine.remark_on_backend(simulation);
     if (const auto warning = simulation.stability_warning()) fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
+    for (const std::string& line : mesh_remarks(simulation.model()))
+        fmt::print(stderr, "{}: {}\n", run.scene.name, line);
     for (const std::string& line : start_remarks(simulation.start_check(), run.params))
         fmt::print(stderr, "{}: {}\n", run.scene.name, line);
     const std::string reason = why_unchecked(flags, run);
     if (run.scene.check.frames > 0 && !reason.empty())
         fmt::print(stderr, "{}: the end check is left out; {}\n", run.scene.name, reason);
+}
+
+void write_report(const RenderFlags& flags, const SceneRun& run, const Machine& machine, Simulation& simulation,
+                  const RunResult& result)
+{
+    if (flags.common.json.empty()) return;
+    const auto view = params_json(view_param_table(), &run.view);
+    auto report = make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view);
+    if (result.promise) report["promise"] = result.promise->report();
+    write_whole(flags.common.json, report.dump(1) + "\n");
 }
 
 }  // namespace
@@ -209,7 +240,11 @@ void add_render_flags(CLI::App& command, RenderFlags& flags)
         ->check(CLI::Range(1, 100000000));
     command.add_option("--out", flags.out, "Directory for frame_00000.png, mesh_00000.obj, ...");
     command.add_option("--mesh", flags.mesh, "Write meshes too")->check(CLI::IsMember({"obj", "ply", "none"}));
-    command.add_option("--pc2", flags.pc2, "Write a PC2 point cache of the frames to FILE");
+    command.add_option("--pc2", flags.pc2,
+                       "Write a PC2 point cache of the frames to FILE, ending .pc2, and its mesh beside it");
+    command.add_option("--gltf", flags.gltf, "Write the cloth in motion to FILE, binary glTF 2.0, ending .glb");
+    command.add_option("--csv", flags.csv, "Write times, counts and energies of every frame to FILE");
+    command.add_option("--save", flags.save, "Write a scene to FILE that goes on from the last frame, ending .toml");
     command.add_option("--video", flags.video, "Write a video to FILE, such as cloth.mp4; needs ffmpeg");
     command.add_option("--every", flags.every, "Write every K-th frame")
         ->capture_default_str()
@@ -232,15 +267,15 @@ int run_render(const RenderFlags& flags)
     remark(flags, run, machine, simulation);
     FrameOutput output(plan, simulation, run.view);
     watch_interrupts();
-    const RunResult result = run_frames(flags, run, simulation, output, promise);
-    if (!flags.common.json.empty()) {
-        const auto view = params_json(view_param_table(), &run.view);
-        auto report = make_report(result.recorder, simulation, machine.info(simulation.thread_count()), view);
-        if (promise) report["promise"] = promise->report();
-        write_whole(flags.common.json, report.dump(1) + "\n");
-    }
+    RunResult result = run_frames(flags, run, simulation, output, promise);
+    attempt(result.failed, [&] { write_report(flags, run, machine, simulation, result); });
+    attempt(result.failed, [&] {
+        if (!flags.csv.empty()) write_whole(flags.csv, frames_csv(result.recorder));
+    });
+    if (!flags.save.empty() && !result.failed)
+        attempt(result.failed, [&] { save_scene(flags.save, simulation, view_settings(run.view)); });
     machine.check_gl();
-    if (result.went_bad) throw *result.went_bad;
+    if (result.failed) throw *result.failed;
     if (const auto warning = flags.common.quiet ? std::nullopt : simulation.present_warning())
         fmt::print(stderr, "{}: {}\n", run.scene.name, *warning);
     if (flags.common.hash) fmt::print("state-hash {}\n", hash_text(simulation.state()));

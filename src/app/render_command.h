@@ -17,7 +17,7 @@ struct RenderFlags
     int check = 0;  // looks at the pose of every so many frames; 0: at none
     std::string out;
     std::string mesh = "none";
-    std::string pc2, video;
+    std::string pc2, gltf, video, csv, save;
     std::string size;
     bool no_images = false;
 };

@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <vector>
 
 #include "core/error.h"
@@ -56,6 +57,7 @@ VideoFile::VideoFile(fs::path path, int width, int height, double frames_per_sec
                       "-nostdin",
                       "-loglevel",
                       "error",
+                      "-xerror",  // without it a disk that is full at the end goes unnoticed
                       "-y",
                       "-f",
                       "rawvideo",
@@ -84,7 +86,7 @@ VideoFile::VideoFile(fs::path path, int width, int height, double frames_per_sec
 
 VideoFile::~VideoFile()
 {
-    if (encoder_ >= 0) close_and_wait();
+    close_and_wait();
     std::error_code ignored;
     fs::remove(temporary_, ignored);
 }
@@ -97,28 +99,36 @@ void VideoFile::add(const Picture& picture)
         if (written <= 0) throw_failed();
         done += static_cast<std::size_t>(written);
     }
+    ++picture_count_;
 }
 
 void VideoFile::finish()
 {
+    close_and_wait();
+    if (failed_ || status_ != 0) throw_failed();
     std::error_code status;
-    if (close_and_wait() != 0) throw_failed();
     fs::rename(temporary_, path_, status);
     if (status) throw_failed();
 }
 
-int VideoFile::close_and_wait()
+void VideoFile::close_and_wait()
 {
+    if (encoder_ < 0) return;
     ::close(pipe_);
-    int status = -1;
-    while (waitpid(encoder_, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(encoder_, &status_, 0) < 0 && errno == EINTR) {
     }
     encoder_ = -1;
-    return status;
 }
 
 void VideoFile::throw_failed()
 {
+    failed_ = true;
+    close_and_wait();
+    if (WIFSIGNALED(status_))
+        throw Error(fmt::format(
+            "--video {}: ffmpeg was ended by signal {} ({}) at picture {}; there is no video, so run again with more "
+            "memory free, or encode the pictures of --out",
+            path_.string(), WTERMSIG(status_), strsignal(WTERMSIG(status_)), picture_count_));
     throw Error(fmt::format(
         "--video {}: ffmpeg could not write it; give a place with room, and an ending that it knows, such as "
         ".mp4 or .webm",

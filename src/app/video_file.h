@@ -19,18 +19,21 @@ class VideoFile
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
-    // Error where ffmpeg has ended before its time.
+    // Error where ffmpeg has ended before its time; then there will be no video.
     void add(const Picture& picture);
     // Waits for ffmpeg and gives the file its name. Error where it could not be written.
     void finish();
 
   private:
     [[noreturn]] void throw_failed();
-    int close_and_wait();
+    void close_and_wait();
 
     std::filesystem::path path_, temporary_;
     pid_t encoder_ = -1;
     int pipe_ = -1;
+    int status_ = 0;  // of waitpid, once it has ended
+    bool failed_ = false;
+    int picture_count_ = 0;  // handed over whole
 };
 
 }  // namespace nuno

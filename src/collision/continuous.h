@@ -54,6 +54,9 @@ class ContinuousCollision
     // left. Start must be free of intersections for that to hold; pairs that touch there are let alone.
     CollisionCounts respond(const LayerPass& pass, const LayerSettings& settings);
 
+    // Writes what later queries take from earlier ones, or reads it.
+    void carry(Archive& archive) { query_.carry(archive); }
+
   private:
     // Impacts among the pairs with a vertex that is marked, in a fixed order.
     std::vector<Impact> find_impacts(const LayerPass& pass, Culling culling, CollisionCounts& counts);

@@ -116,4 +116,11 @@ std::uint64_t ElementQuery::near_pairs_culled() const
     return count;
 }
 
+void ElementQuery::carry(Archive& archive)
+{
+    for (KeptPairs& kept : all_kept_) kept.carry(archive);
+    archive.value(kept_last_);
+    if (kept_last_ >= all_kept_.size()) kept_last_ = 0;
+}
+
 }  // namespace nuno

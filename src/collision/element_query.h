@@ -43,6 +43,9 @@ class ElementQuery
     // Queries so far that went through the pairs of an earlier one.
     std::uint64_t queries_skipped() const { return queries_skipped_; }
 
+    // Writes what later queries take from earlier ones, or reads it.
+    void carry(Archive& archive);
+
   private:
     static constexpr std::uint32_t kNearFaces = 512;  // of a task
     static constexpr std::size_t kKeptPairs = 4096;   // likewise

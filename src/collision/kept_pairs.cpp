@@ -49,4 +49,17 @@ void KeptPairs::begin(const Poses& poses, const TreeSettings& settings)
         bound_.note_some(poses);
 }
 
+void KeptPairs::carry(Archive& archive)
+{
+    archive.list(pairs);
+    archive.value(near_culled);
+    bound_.carry(archive);
+    archive.value(settings_.distance);
+    archive.value(settings_.culling);
+    archive.value(settings_.rest_share);
+    archive.value(settings_.margin);
+    archive.value(motion_);
+    archive.value(queries_);
+}
+
 }  // namespace nuno

@@ -27,6 +27,9 @@ class KeptPairs
     // Forgets the pairs for those that a query on this way is about to find; without a margin none are kept.
     void begin(const Poses& poses, const TreeSettings& settings);
 
+    // Writes the pairs and all that says how long they hold, or reads them.
+    void carry(Archive& archive);
+
     std::vector<ElementPair> pairs;
     std::uint64_t near_culled = 0;  // ElementQuery::near_pairs_culled
 

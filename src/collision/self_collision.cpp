@@ -82,4 +82,14 @@ void SelfCollision::count_pass_through(const CollisionStep& step)
     counts_.unresolved = static_cast<std::uint32_t>(passed.size());
 }
 
+void SelfCollision::carry(Archive& archive)
+{
+    bool made = tree_.has_value();
+    archive.value(made);
+    if (made)
+        tree().carry(archive);
+    else
+        tree_.reset();
+}
+
 }  // namespace nuno

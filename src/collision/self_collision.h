@@ -72,6 +72,9 @@ class SelfCollision
     // Of the pass so far.
     const CollisionCounts& counts() const { return counts_; }
 
+    // Writes what later passes take from earlier ones, or reads it.
+    void carry(Archive& archive);
+
   private:
     ElementQuery& tree();
 

@@ -1,7 +1,6 @@
 // Files that are never left half-written.
 #include "core/files.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 
 namespace nuno {
 
@@ -32,32 +32,9 @@ std::string read_text(const fs::path& path)
 
 void write_whole(const fs::path& path, std::span<const std::byte> bytes)
 {
-    std::error_code status;
-    // A link stays a link to what is written; a device or a pipe takes the bytes itself.
-    const fs::path target = fs::is_symlink(path, status) ? fs::weakly_canonical(path, status) : path;
-    const bool direct = fs::exists(target, status) && !fs::is_regular_file(target, status);
-    const fs::path temporary = direct ? target : fs::path(target.string() + ".part" + std::to_string(getpid()));
-    const auto fail = [&](const char* action) {
-        const int reason = errno;
-        if (!direct) ::unlink(temporary.c_str());
-        throw Error(path.string() + ": cannot be " + action + " (" + std::strerror(reason) +
-                    "); choose a place that exists, is writable and has room");
-    };
-    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0) fail("created");
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) {
-            const int reason = errno;
-            ::close(file);
-            errno = reason;
-            fail("written");
-        }
-        done += static_cast<std::size_t>(written);
-    }
-    if (::close(file) != 0) fail("written");
-    if (!direct && ::rename(temporary.c_str(), target.c_str()) != 0) fail("written");
+    WholeFile file(path);
+    file.append(bytes);
+    file.commit();
 }
 
 void write_whole(const fs::path& path, std::string_view text) { write_whole(path, std::as_bytes(std::span(text))); }

@@ -1,46 +1,60 @@
-// Writes meshes in motion.
+// Writes meshes as text.
 #include "model/mesh_writer.h"
 
 #include <fmt/format.h>
 
-#include <bit>
-#include <cstdint>
-#include <cstring>
+#include <algorithm>
+#include <cctype>
 #include <iterator>
-
-#include "core/files.h"
 
 namespace nuno {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "PC2 holds little-endian numbers");
+using Text = std::back_insert_iterator<fmt::memory_buffer>;
 
-struct Pc2Header
+void write_faces(Text out, std::span<const glm::uvec3> faces, bool with_uvs)
 {
-    char magic[12] = "POINTCACHE2";
-    std::int32_t version = 1;
-    std::int32_t point_count = 0;
-    float start_frame = 0;
-    float sample_rate = 1;
-    std::int32_t sample_count = 0;
-};
-static_assert(sizeof(Pc2Header) == 32);
+    for (const glm::uvec3& f : faces) {
+        if (with_uvs)
+            fmt::format_to(out, "f {0}/{0} {1}/{1} {2}/{2}\n", f.x + 1, f.y + 1, f.z + 1);
+        else
+            fmt::format_to(out, "f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
+    }
+}
 
 }  // namespace
+
+std::vector<MeshPart> mesh_parts(const ClothModel& model)
+{
+    std::vector<MeshPart> parts;
+    for (const Sheet& sheet : model.sheets) {
+        std::string name = sheet.name.empty() ? "cloth" : sheet.name;
+        std::replace_if(
+            name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) || c == '#'; }, '_');
+        const auto taken = [&](const std::string& wanted) {
+            return std::any_of(parts.begin(), parts.end(), [&](const MeshPart& part) { return part.name == wanted; });
+        };
+        std::string unique = name;
+        for (int number = 2; taken(unique); ++number) unique = fmt::format("{}_{}", name, number);
+        parts.push_back({unique, sheet.first_face, sheet.face_count, {}});
+    }
+    return parts;
+}
 
 std::string obj_text(const MeshView& mesh)
 {
     fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
+    const Text out = std::back_inserter(text);
     fmt::format_to(out, "# nuno\n");
+    if (!mesh.material_file.empty()) fmt::format_to(out, "mtllib {}\n", mesh.material_file);
     for (const glm::vec4& p : mesh.positions) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
     for (const glm::vec2& uv : mesh.uvs) fmt::format_to(out, "vt {:.9g} {:.9g}\n", uv.x, uv.y);
-    for (const glm::uvec3& f : mesh.faces) {
-        if (mesh.uvs.empty())
-            fmt::format_to(out, "f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
-        else
-            fmt::format_to(out, "f {0}/{0} {1}/{1} {2}/{2}\n", f.x + 1, f.y + 1, f.z + 1);
+    for (const MeshPart& part : mesh.parts) {
+        fmt::format_to(out, "g {}\n", part.name);
+        if (!mesh.material_file.empty()) fmt::format_to(out, "usemtl {}\n", part.name);
+        write_faces(out, mesh.faces.subspan(part.first_face, part.face_count), !mesh.uvs.empty());
     }
+    if (mesh.parts.empty()) write_faces(out, mesh.faces, !mesh.uvs.empty());
     return fmt::to_string(text);
 }
 
@@ -57,21 +71,16 @@ std::string ply_text(const MeshView& mesh)
     return fmt::to_string(text);
 }
 
-void PointCache::add(std::span<const glm::vec4> positions)
+std::string mtl_text(std::span<const MeshPart> parts, float repeats)
 {
-    for (const glm::vec4& p : positions) samples_.emplace_back(p);
-}
-
-void PointCache::write(const std::filesystem::path& path) const
-{
-    Pc2Header header;
-    header.point_count = static_cast<std::int32_t>(point_count_);
-    header.sample_count = static_cast<std::int32_t>(point_count_ ? samples_.size() / point_count_ : 0);
-    std::vector<std::byte> bytes(sizeof header + samples_.size() * sizeof(glm::vec3));
-    std::memcpy(bytes.data(), &header, sizeof header);
-    if (!samples_.empty())
-        std::memcpy(bytes.data() + sizeof header, samples_.data(), samples_.size() * sizeof(glm::vec3));
-    write_whole(path, bytes);
+    std::string text = "# nuno\n";
+    for (const MeshPart& part : parts) {
+        text += fmt::format("newmtl {}\nKa 0 0 0\nKs 0 0 0\n", part.name);
+        text += part.texture.empty()
+                    ? "Kd 0.87 0.85 0.8\n"
+                    : fmt::format("Kd 1 1 1\nmap_Kd -s {0:.9g} {0:.9g} 1 {1}\n", repeats, part.texture);
+    }
+    return text;
 }
 
 }  // namespace nuno

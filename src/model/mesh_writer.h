@@ -1,17 +1,29 @@
-// Writes meshes in motion: OBJ and PLY files of one frame, PC2 point caches of many.
+// Writes the mesh of one frame: OBJ files with their material files, and PLY files.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "model/cloth_model.h"
+
 namespace nuno {
+
+// The faces of a sheet: a group and a material of an OBJ file.
+struct MeshPart
+{
+    std::string name;  // without spaces, and no other part's
+    std::uint32_t first_face, face_count;
+    std::string texture;  // its path from the material file; empty: plain cloth
+};
+
+// The parts that the sheets are; their textures stay empty.
+std::vector<MeshPart> mesh_parts(const ClothModel& model);
 
 // What a mesh file shows; positions are xyz [m], written with 9 significant digits, which give back the same floats.
 struct MeshView
@@ -19,23 +31,14 @@ struct MeshView
     std::span<const glm::vec4> positions;
     std::span<const glm::vec2> uvs;
     std::span<const glm::uvec3> faces;
+    std::span<const MeshPart> parts = {};  // in order of their faces, which are all; none: no groups
+    std::string_view material_file = {};   // its path from the OBJ file; empty: no materials
 };
 
 std::string obj_text(const MeshView& mesh);
 std::string ply_text(const MeshView& mesh);
 
-// A PC2 point cache: 32 bytes of header, then the positions of every sample as little-endian floats.
-class PointCache
-{
-  public:
-    explicit PointCache(std::size_t point_count) : point_count_(point_count) {}
-    void add(std::span<const glm::vec4> positions);
-    // Error where it cannot be written; the file is whole or as it was before.
-    void write(const std::filesystem::path& path) const;
-
-  private:
-    std::size_t point_count_;
-    std::vector<glm::vec3> samples_;
-};
+// The material file of the parts; `repeats`: of a texture along a sheet.
+std::string mtl_text(std::span<const MeshPart> parts, float repeats);
 
 }  // namespace nuno

@@ -1,10 +1,11 @@
 // Reads Wavefront OBJ files.
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include <glm/common.hpp>
@@ -12,72 +13,13 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "model/polygon.h"
 #include "model/triangle_mesh.h"
 
 namespace nuno {
 namespace {
 
-// The reader below takes what it cannot parse for 0 and forgives missing vertices, so numbers and indices are checked
-// first.
-class ObjCheck
-{
-  public:
-    ObjCheck(const std::string& text, std::string path) : path_(std::move(path))
-    {
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) {
-            ++line_;
-            line.resize(std::min(line.size(), line.find('#')));
-            text_ += line + '\n';
-            std::istringstream words(line);
-            std::string word;
-            if (!(words >> word)) continue;
-            if (word == "v") check_numbers(words, 3, "a vertex is `v x y z` in metres"), ++positions_;
-            if (word == "vt") check_numbers(words, 1, "a texture coordinate is `vt u v`"), ++texcoords_;
-            if (word == "f") check_face(words);
-        }
-    }
-
-    // The file without its comments, which the reader takes for numbers after a face.
-    const std::string& text() const { return text_; }
-
-  private:
-    [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", path_, line_, what)); }
-
-    void check_numbers(std::istringstream& words, int least, const char* form) const
-    {
-        int count = 0;
-        for (std::string word; words >> word; ++count)
-            if (!std::isfinite(parse_number(word[0] == '+' ? word.substr(1) : word).value_or(NAN)))
-                fail(fmt::format("'{}' is no finite number; {}", word, form));
-        if (count < least) fail(fmt::format("{} numbers are too few; {}", count, form));
-    }
-
-    void check_face(std::istringstream& words) const
-    {
-        int corners = 0;
-        for (std::string word; words >> word; ++corners) {
-            const std::size_t slash = word.find('/');
-            check_index(word, word.substr(0, slash), positions_, "vertex");
-            if (slash == word.npos) continue;
-            const std::string texcoord = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
-            if (!texcoord.empty()) check_index(word, texcoord, texcoords_, "texture coordinate");
-        }
-        if (corners < 3) fail("a face needs at least three vertices");
-    }
-
-    // Indices count from 1, or backwards from -1.
-    void check_index(const std::string& word, const std::string& index, long count, const char* what) const
-    {
-        const double i = parse_number(index).value_or(0);
-        if (i == 0 || i != std::floor(i) || std::abs(i) > double(count))
-            fail(fmt::format("'{}' names no {}; {} were given before this line (1 to {})", word, what, count, count));
-    }
-
-    std::string path_, text_;
-    int line_ = 0;
-    long positions_ = 0, texcoords_ = 0;
-};
+constexpr std::size_t kMostCorners = 256;  // of a face: cutting it up takes the cube of them
 
 // Places of vertices without texture coordinates: the two longest sides of the bounding box.
 std::vector<glm::vec2> box_uvs(const std::vector<glm::vec3>& positions)
@@ -92,34 +34,119 @@ std::vector<glm::vec2> box_uvs(const std::vector<glm::vec3>& positions)
     return uvs;
 }
 
+class ObjReader
+{
+  public:
+    ObjReader(const std::string& text, std::string path) : path_(std::move(path))
+    {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            ++line_;
+            line.resize(std::min(line.size(), line.find('#')));
+            read_line(line);
+        }
+    }
+
+    TriangleMesh mesh()
+    {
+        if (!mesh_.positions.empty()) mesh_.uvs = box_uvs(mesh_.positions);
+        for (const auto& [vertex, texcoord] : texcoords_of_) mesh_.uvs[vertex] = texcoords_[texcoord];
+        for (auto& [name, vertices] : mesh_.groups) {
+            std::sort(vertices.begin(), vertices.end());
+            vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", path_, line_, what)); }
+
+    void read_line(const std::string& line)
+    {
+        std::istringstream words(line);
+        std::string word;
+        if (!(words >> word)) return;
+        if (word == "v") {
+            const auto n = numbers(words, 3, "a vertex is `v x y z` in metres");
+            mesh_.positions.emplace_back(n[0], n[1], n[2]);
+        }
+        if (word == "vt") {
+            const auto n = numbers(words, 1, "a texture coordinate is `vt u v`");
+            texcoords_.emplace_back(n[0], n.size() > 1 ? n[1] : 0);
+        }
+        if (word == "f") read_face(words);
+        if (word == "o" || word == "g") groups_.clear();
+        if (word == "o" && !(words >> object_)) object_.clear();
+        if (word == "g") groups_.assign(std::istream_iterator<std::string>(words), {});
+    }
+
+    std::vector<float> numbers(std::istringstream& words, std::size_t least, const char* form) const
+    {
+        std::vector<float> numbers;
+        for (std::string word; words >> word;) {
+            const double number = parse_number(word[0] == '+' ? word.substr(1) : word).value_or(NAN);
+            if (!std::isfinite(static_cast<float>(number)))
+                fail(fmt::format("'{}' is no finite number; {}", word, form));
+            numbers.push_back(static_cast<float>(number));
+        }
+        if (numbers.size() < least) fail(fmt::format("{} numbers are too few; {}", numbers.size(), form));
+        return numbers;
+    }
+
+    void read_face(std::istringstream& words)
+    {
+        std::vector<std::uint32_t> corners;
+        for (std::string word; words >> word;) {
+            const std::size_t slash = word.find('/');
+            corners.push_back(number_of(word, word.substr(0, slash), mesh_.positions.size(), "vertex"));
+            if (slash == word.npos) continue;
+            const std::string texcoord = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+            if (!texcoord.empty())
+                texcoords_of_.emplace_back(corners.back(),
+                                           number_of(word, texcoord, texcoords_.size(), "texture coordinate"));
+        }
+        if (corners.size() < 3) fail("a face needs at least three vertices");
+        if (corners.size() > kMostCorners)
+            fail(fmt::format("a face of {} vertices is too much; cut it into ones of at most {}", corners.size(),
+                             kMostCorners));
+        const std::vector<glm::uvec3> faces = cut_polygon(mesh_.positions, corners);
+        if (faces.empty())
+            fail("this polygon crosses or touches itself, or has no area; cut it into triangles where it was made");
+        mesh_.faces.insert(mesh_.faces.end(), faces.begin(), faces.end());
+        for (const std::string& group : groups_) add_to(group, corners);
+        if (!object_.empty()) add_to(object_, corners);
+    }
+
+    void add_to(const std::string& group, std::span<const std::uint32_t> corners)
+    {
+        std::vector<std::uint32_t>& vertices = mesh_.groups[group];
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+    }
+
+    // Indices count from 1, or backwards from -1.
+    std::uint32_t number_of(const std::string& word, const std::string& index, std::size_t count,
+                            const char* what) const
+    {
+        const double i = parse_number(index).value_or(0);
+        if (i == 0 || i != std::floor(i) || std::abs(i) > double(count))
+            fail(fmt::format("'{}' names no {}; {} were given before this line (1 to {})", word, what, count, count));
+        return static_cast<std::uint32_t>(i > 0 ? i - 1 : double(count) + i);
+    }
+
+    std::string path_;
+    int line_ = 0;
+    TriangleMesh mesh_;
+    std::vector<glm::vec2> texcoords_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> texcoords_of_;  // vertex, texture coordinate; the last counts
+    std::vector<std::string> groups_;                                    // of the faces to come
+    std::string object_;
+};
+
 }  // namespace
 
 TriangleMesh load_obj(const std::filesystem::path& path)
 {
-    const ObjCheck checked(read_text(path), path.string());
-    tinyobj::ObjReaderConfig config;
-    config.triangulate = true;
-    tinyobj::ObjReader reader;
-    if (!reader.ParseFromString(checked.text(), "", config))
-        throw Error(
-            fmt::format("{}: is no OBJ file ({}); give `v x y z` and `f a b c` lines", path.string(), reader.Error()));
-
-    const tinyobj::attrib_t& attributes = reader.GetAttrib();
-    TriangleMesh mesh;
-    for (std::size_t i = 0; i + 2 < attributes.vertices.size(); i += 3)
-        mesh.positions.emplace_back(attributes.vertices[i], attributes.vertices[i + 1], attributes.vertices[i + 2]);
-    if (!mesh.positions.empty()) mesh.uvs = box_uvs(mesh.positions);
-    for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-        const std::vector<tinyobj::index_t>& corners = shape.mesh.indices;
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-            for (std::size_t k = i; k < i + 3; ++k)
-                if (corners[k].texcoord_index >= 0)
-                    mesh.uvs[static_cast<std::size_t>(corners[k].vertex_index)] = {
-                        attributes.texcoords[2 * static_cast<std::size_t>(corners[k].texcoord_index)],
-                        attributes.texcoords[2 * static_cast<std::size_t>(corners[k].texcoord_index) + 1]};
-            mesh.faces.emplace_back(corners[i].vertex_index, corners[i + 1].vertex_index, corners[i + 2].vertex_index);
-        }
-    }
+    TriangleMesh mesh = ObjReader(read_text(path), path.string()).mesh();
     check_mesh(mesh, path.string());
     return mesh;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -10,6 +12,24 @@
 #include "core/error.h"
 
 namespace nuno {
+namespace {
+
+void check_no_face_twice(const TriangleMesh& mesh, std::string_view where)
+{
+    std::vector<std::array<std::uint32_t, 4>> faces;  // vertices in order, and the number
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+        faces.push_back({mesh.faces[f].x, mesh.faces[f].y, mesh.faces[f].z, f});
+        std::sort(faces.back().begin(), faces.back().begin() + 3);
+    }
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 1; i < faces.size(); ++i)
+        if (std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin()))
+            throw Error(
+                fmt::format("{}: face {} has the same vertices as face {} ({} {} {}, counted from 0); remove one",
+                            where, faces[i][3], faces[i - 1][3], faces[i][0], faces[i][1], faces[i][2]));
+}
+
+}  // namespace
 
 float face_area(const TriangleMesh& mesh, const glm::uvec3& face)
 {
@@ -44,6 +64,7 @@ void check_mesh(const TriangleMesh& mesh, std::string_view where)
     }
     for (std::size_t v = 0; v < used.size(); ++v)
         if (!used[v]) throw Error(fmt::format("{}: vertex {} belongs to no face; remove it", where, v));
+    check_no_face_twice(mesh, where);
 }
 
 }  // namespace nuno

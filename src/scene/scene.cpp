@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "core/version.h"
 #include "scene/body_tables.h"
 #include "scene/toml_table.h"
 
@@ -28,9 +29,10 @@ fs::path beside(const fs::path& scene_path, const std::string& text)
     return text.empty() ? fs::path() : (scene_path.parent_path() / text).lexically_normal();
 }
 
-PinSpec read_pins(TomlTable& table)
+PinSpec read_pins(TomlTable& table, const fs::path& scene_path)
 {
     PinSpec spec;
+    spec.file = beside(scene_path, table.text("pin_file", ""));
     const toml::array* pins = table.array("pins");
     spec.where = table.where("pins");
     if (!pins) return spec;
@@ -40,13 +42,14 @@ PinSpec read_pins(TomlTable& table)
         else if (const auto vertex = pin.value_exact<std::int64_t>(); vertex && *vertex >= 0 && *vertex <= 0xffffffff)
             spec.vertices.push_back(static_cast<std::uint32_t>(*vertex));
         else
-            table.fail("pins", "a list of vertex numbers and places (top_left, top, left, ...)");
+            table.fail("pins",
+                       "a list of vertex numbers, and of places (top_left, top, left, ...) or groups of the mesh");
     }
     return spec;
 }
 
 // handles = [{ name = "left", pins = ["left"] }]
-void read_handles(TomlTable& table, const std::string& file_name, SheetSpec& sheet)
+void read_handles(TomlTable& table, const std::string& file_name, const fs::path& scene_path, SheetSpec& sheet)
 {
     const toml::array* list = table.array("handles");
     if (!list) return;
@@ -54,11 +57,12 @@ void read_handles(TomlTable& table, const std::string& file_name, SheetSpec& she
         if (!node.is_table()) table.fail("handles", "a list of { name = \"...\", pins = [...] }");
         TomlTable entry(*node.as_table(), file_name);
         const std::string handle = entry.text("name", "");
-        sheet.pins.push_back(read_pins(entry));
+        sheet.pins.push_back(read_pins(entry, scene_path));
         sheet.pins.back().handle = handle;
         entry.finish();
         if (handle.empty()) entry.fail("name", "the name of a [[handle]]");
-        if (!entry.has("pins")) entry.fail("pins", "a list of the vertices that the handle carries");
+        if (!entry.has("pins") && !entry.has("pin_file"))
+            entry.fail("pins", "a list of the vertices that the handle carries");
     }
 }
 
@@ -76,8 +80,8 @@ SheetSpec read_sheet(TomlTable table, const std::string& file_name, const fs::pa
     sheet.down = table.vector("down", {0, -1, 0});
     sheet.pleats = table.whole("pleats", 0);
     sheet.pleat_angle = static_cast<float>(table.number("pleat_angle", 60));
-    sheet.pins.push_back(read_pins(table));
-    read_handles(table, file_name, sheet);
+    sheet.pins.push_back(read_pins(table, scene_path));
+    read_handles(table, file_name, scene_path, sheet);
     table.finish();
     if (!(sheet.pleat_angle >= 0 && sheet.pleat_angle < 90))
         table.fail("pleat_angle", "0 or more and less than 90 degrees");
@@ -110,6 +114,20 @@ EndCheck read_check(TomlTable table)
     return check;
 }
 
+constexpr int kFormat = 1;  // of scene files; a higher one says what this program does not know
+
+// Before anything else is read, for a newer file has keys that would be told to be misspelt.
+void check_format(TomlTable& file)
+{
+    const int format = file.whole("format", kFormat);
+    if (format == 0) file.fail("format", fmt::format("{}", kFormat));
+    if (format > kFormat)
+        throw Error(
+            fmt::format("{}: the scene has format {}, from a newer nuno; this one ({}) knows format {}: run it "
+                        "with a newer nuno, or write it anew for this one",
+                        file.where("format"), format, kVersion, kFormat));
+}
+
 Scene read_scene(const toml::table& root, const fs::path& path)
 {
     const std::string file_name = path.string();
@@ -117,7 +135,9 @@ Scene read_scene(const toml::table& root, const fs::path& path)
     Scene scene;
     scene.name = path.stem().string();
     scene.path = path;
+    check_format(file);
     scene.title = file.text("title", "");
+    scene.state = beside(path, file.text("state", ""));
     if (const toml::table* params = file.table("params"))
         TomlTable(*params, file_name).read_params(sim_param_table(), &scene.params);
     if (const toml::table* view = file.table("view"))
@@ -163,7 +183,9 @@ Scene load_scene(std::string_view name_or_path)
     }
     const std::string text = read_text(path);
     try {
-        return read_scene(toml::parse(text, path.string()), path);
+        Scene scene = read_scene(toml::parse(text, path.string()), path);
+        scene.text = text;
+        return scene;
     } catch (const toml::parse_error& error) {
         throw Error(
             fmt::format("{}:{}: is not TOML: {}", path.string(), error.source().begin.line, error.description()));

@@ -21,8 +21,9 @@ struct PinSpec
 {
     std::string where;                // file and line
     std::string handle;               // that carries them; empty: they do not move
-    std::vector<std::string> places;  // top_left, top, left, top@0.25, ... of a grid
+    std::vector<std::string> places;  // top_left, top, left, top@0.25, ... of a grid; groups of a mesh file
     std::vector<std::uint32_t> vertices;
+    std::filesystem::path file = {};  // with numbers of more vertices; empty: none
 };
 
 // A sheet as the file declares it: a grid, or a mesh file.
@@ -49,6 +50,8 @@ struct Scene
 {
     std::string name, title;
     std::filesystem::path path;
+    std::string text;             // of the file; empty where there is none
+    std::filesystem::path state;  // of the start, as sim/saved_state.h writes it; empty: the sheets say it
     SimParams params;
     std::vector<ViewSetting> view;
     std::vector<SheetSpec> sheets;

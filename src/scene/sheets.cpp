@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/text.h"
 #include "model/grid_recovery.h"
 #include "scene/scene.h"
@@ -106,16 +108,57 @@ std::uint32_t handle_number(const Scene& scene, const PinSpec& spec)
                             nearest_name(spec.handle, names), join_choices(names)));
 }
 
+// Pins the vertices of a group of the mesh file.
+void add_group(const std::string& name, const std::string& where, const SheetSpec& sheet, const TriangleMesh& mesh,
+               std::vector<std::uint32_t>& pins)
+{
+    if (const auto group = mesh.groups.find(name); group != mesh.groups.end()) {
+        pins.insert(pins.end(), group->second.begin(), group->second.end());
+        return;
+    }
+    std::vector<std::string_view> names;
+    for (const auto& [other, vertices] : mesh.groups) names.push_back(other);
+    const std::string there =
+        names.empty() ? "it has no groups, so give vertex numbers"
+                      : fmt::format("the nearest is {}; there are {}", nearest_name(name, names), join_choices(names));
+    throw Error(
+        fmt::format("{}: pin {} is no group (a line `g {}`) of {}; {}", where, name, name, sheet.mesh.string(), there));
+}
+
+// Vertex numbers from 0, separated by spaces, commas or lines; # begins a comment.
+void add_pins_of_file(const std::filesystem::path& path, std::vector<std::uint32_t>& pins)
+{
+    std::istringstream lines(read_text(path));
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        line.resize(std::min(line.size(), line.find('#')));
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        for (std::string word; words >> word;) {
+            const double vertex = parse_number(word).value_or(-1);
+            if (!(vertex >= 0 && vertex <= 0xffffffff) || vertex != std::floor(vertex))
+                throw Error(fmt::format("{}:{}: '{}' is no vertex number; give whole numbers from 0", path.string(),
+                                        number, word));
+            pins.push_back(static_cast<std::uint32_t>(vertex));
+        }
+    }
+    if (pins.empty()) throw Error(fmt::format("{}: names no vertex; give their numbers, from 0", path.string()));
+}
+
 // Stores the vertices that a sheet's file names as pinned. `size` is that of a grid, 0 x 0 of a mesh.
 void add_pins(const Scene& scene, const SheetSpec& sheet, GridSize size, SheetSource& source)
 {
     std::map<std::uint32_t, const PinSpec*> taken;
     for (const PinSpec& spec : sheet.pins) {
-        if (size.columns == 0 && !spec.places.empty())
-            throw Error(fmt::format("{}: pin {} is a place of a grid; a mesh is pinned by vertex numbers", spec.where,
-                                    spec.places.front()));
-        std::vector<std::uint32_t> pins = spec.vertices;
-        for (const std::string& place : spec.places) add_pins_at(place, spec.where, size, pins);
+        std::vector<std::uint32_t> pins;
+        if (!spec.file.empty()) add_pins_of_file(spec.file, pins);
+        pins.insert(pins.end(), spec.vertices.begin(), spec.vertices.end());
+        for (const std::string& place : spec.places)
+            if (size.columns > 0)
+                add_pins_at(place, spec.where, size, pins);
+            else
+                add_group(place, spec.where, sheet, source.mesh, pins);
         for (const std::uint32_t vertex : pins) {
             const PinSpec* other = taken.emplace(vertex, &spec).first->second;
             if (other->handle != spec.handle)

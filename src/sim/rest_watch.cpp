@@ -41,6 +41,13 @@ void RestWatch::look(std::span<const glm::vec4> positions, double time_s, float 
     at_rest_ = time_s - since_s_ >= kRestSeconds;
 }
 
+void RestWatch::carry(Archive& archive)
+{
+    archive.list(places_);
+    archive.value(since_s_);
+    archive.value(at_rest_);
+}
+
 bool surroundings_change(const SimParams& params, const Bodies& bodies, double from_s, double to_s)
 {
     const std::vector<PlacedBody> placed = placed_bodies(bodies);

@@ -6,6 +6,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "core/archive.h"
 #include "model/body.h"
 #include "model/sim_params.h"
 
@@ -24,6 +25,8 @@ class RestWatch
     // Looks at positions xyz [m] at a time [s]: all within `most_motion` [m] of a former place for kRestSeconds is rest.
     // 0 is never.
     void look(std::span<const glm::vec4> positions, double time_s, float most_motion);
+    // Writes all of it, or reads it.
+    void carry(Archive& archive);
     bool is_at_rest() const { return !places_.empty() && at_rest_; }
 
   private:

@@ -188,6 +188,29 @@ Json params_json(ParamTable table, const void* block)
     return json;
 }
 
+std::string frames_csv(const RunRecorder& recorder)
+{
+    std::string text;
+    for (const FrameRecord& record : recorder.frames()) {
+        std::vector<std::string> names, values;
+        const Json frame = frame_json(record);
+        for (const auto& [name, value] : frame.items()) {
+            if (!value.is_object()) {
+                names.push_back(name);
+                values.push_back(value.dump());
+                continue;
+            }
+            for (const auto& [inner, number] : value.items()) {
+                names.push_back(fmt::format("{}.{}", name, inner));
+                values.push_back(number.dump());
+            }
+        }
+        if (text.empty()) text = fmt::format("{}\n", fmt::join(names, ","));
+        text += fmt::format("{}\n", fmt::join(values, ","));
+    }
+    return text;
+}
+
 Json make_report(const RunRecorder& recorder, Simulation& simulation, const MachineInfo& machine,
                  const Json& view_params)
 {

@@ -48,6 +48,10 @@ nlohmann::ordered_json machine_json(const MachineInfo& machine);
 nlohmann::ordered_json make_report(const RunRecorder& recorder, Simulation& simulation, const MachineInfo& machine,
                                    const nlohmann::ordered_json& view_params);
 
+// The frames of the report as comma-separated values: a line of names, `stage_ms.solve` for a field in a field, and a
+// line for each frame.
+std::string frames_csv(const RunRecorder& recorder);
+
 // {"name": value, ...} of a block: numbers, true or false, and the names of choices.
 nlohmann::ordered_json params_json(ParamTable table, const void* block);
 

@@ -44,6 +44,8 @@ void Simulation::build(const SimParams& asked)
     check_collision_settings(asked);
     auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, asked), asked.mass_lumping));
     const SimParams params = resolve_params(*model, scene_.bodies, asked);
+    std::optional<SavedState> start;
+    if (!scene_.state.empty()) start = read_state(scene_.state, scene_.params, model->vertex_count());
     auto pool = std::make_unique<ThreadPool>(params.threads);
     auto solver = make_solver(*model, scene_.bodies, params, *pool);
     solver_ = std::move(solver);
@@ -51,6 +53,7 @@ void Simulation::build(const SimParams& asked)
     layers_.reset();
     pool_ = std::move(pool);
     model_ = std::move(model);
+    start_ = std::move(start);
     stiffest_mode_.clear();
     asked_ = asked;
     params_ = params;
@@ -59,18 +62,18 @@ void Simulation::build(const SimParams& asked)
 
 void Simulation::restart()
 {
-    state_ = start_state(*model_, params_);
-    start_check_ = check_start(*model_, params_, state_.positions, *pool_);
-    solver_->upload(state_);
-    positions_fresh_ = velocities_fresh_ = true;
-    pass_positions_ = state_.positions;
-    held_.reset();
-    frame_ = 0;
-    time_s_ = pending_s_ = 0;
-    start_positions_.clear();
-    layers_.reset();  // a query may go through the pairs of the one before
-    chosen_passes_ = 1;
-    rest_watch_.wake();
+    if (start_) {
+        try {
+            resume(*start_);
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}: {}", scene_.state.string(), error.what()));
+        }
+        start_check_ = check_now(params_);
+        return;
+    }
+    ClothState state = start_state(*model_, params_);
+    start_check_ = check_start(*model_, params_, state.positions, *pool_);
+    begin_at(std::move(state), 0, 0);
 }
 
 void Simulation::set_params(const SimParams& asked)

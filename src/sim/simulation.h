@@ -16,6 +16,7 @@
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
 #include "sim/rest_watch.h"
+#include "sim/saved_state.h"
 #include "sim/start_check.h"
 #include "solver/base/cloth_solver.h"
 
@@ -46,7 +47,14 @@ class Simulation
     // Acts from the next frame on: forces at once, method, backend and threads with the state carried over; one of the
     // start (needs_restart) starts again. Error (nothing changed) where they do not work.
     void set_params(const SimParams& asked);
+    // From the start, or from the state that the scene names.
     void restart();
+
+    // The run as it is. Nothing of it changes by that; a vertex that is held is saved as let go.
+    SavedState save();
+    // Goes on from there, with the same bits where scene and parameters are those of then; with other parameters as
+    // after set_params. Error where the number of vertices is another.
+    void resume(const SavedState& saved);
 
     // Simulates one frame of 1 / frame_rate seconds. Error with ExitCode::went_bad, naming scene, frame, substeps,
     // vertex and a setting that would hold, where a vertex is lost.
@@ -78,6 +86,8 @@ class Simulation
   private:
     void build(const SimParams& asked);
     StartCheck check_now(SimParams params);
+    void begin_at(ClothState state, int frame, double time_s);
+    void carry(Archive& archive);
     void download();
     void follow_stretch();
     bool may_sleep(FrameStats& stats);
@@ -100,6 +110,7 @@ class Simulation
     };
 
     Scene scene_;
+    std::optional<SavedState> start_;  // where the scene names one
     SimParams asked_, params_;
     std::unique_ptr<ThreadPool> pool_;
     std::unique_ptr<ClothModel> model_;

@@ -87,6 +87,7 @@ TEST(BadInput, scenes_and_places)
 
 TEST(BadInput, scene_files)
 {
+    EXPECT_THAT(render_refusal("format = 9\n" + kSheet), AllOf(HasSubstr("bad.toml:1"), HasSubstr("newer nuno")));
     EXPECT_THAT(render_refusal("[params]\nwind_strenght = 1\n" + kSheet),
                 AllOf(HasSubstr("bad.toml:2"), HasSubstr("wind_strength")));
     EXPECT_THAT(render_refusal("[view]\nlok = \"phong\"\n" + kSheet),
@@ -122,6 +123,23 @@ TEST(BadInput, meshes_that_are_no_cloth)
     EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n"), HasSubstr("m.obj:4"));
     EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), HasSubstr("no area"));
     EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 0 1"), HasSubstr("m.obj:3"));
+    EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n"), HasSubstr("m.obj:3: 'nan' is no finite number"));
+    EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 3 2 4\n"), HasSubstr("m.obj:5: this polygon crosses"));
+    EXPECT_THAT(refuse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 1 2\n"), HasSubstr("face 1 has the same vertices"));
+}
+
+TEST(BadInput, meshes_that_are_odd_but_cloth_are_simulated_and_told)
+{
+    const TemporaryDirectory directory;
+    directory.write("m.obj",
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 -1\n"
+                    "v 5 0 0\nv 6 0 0\nv 5 1 0\nf -3 -2 -1\n");
+    const auto scene = directory.write("t.toml", "[[sheet]]\nmesh = \"m.obj\"\n");
+    const ProgramResult result =
+        run_program({"render", scene.string(), "--no-images", "--backend", "cpu", "--frames", "3"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("more than two faces meet at 1 of its edges"),
+                                  HasSubstr("vertices 0 and 1 (faces 0, 1, 2)")));
 }
 
 TEST(BadInput, no_opengl_4_3_says_what_was_found)

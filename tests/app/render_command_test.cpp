@@ -51,8 +51,8 @@ TEST(RenderCommand, the_first_mesh_is_the_start_and_every_k_th_is_written)
         run_program({"render", "seed", "--backend", "cpu", "--no-images", "--frames", "7", "--every", "3", "--mesh",
                      "ply", "--pc2", directory.path() / "seed.pc2", "--out", directory.path()});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(names_in(directory.path()),
-              (std::set<std::string>{"mesh_00000.ply", "mesh_00003.ply", "mesh_00006.ply", "seed.pc2"}));
+    EXPECT_EQ(names_in(directory.path()), (std::set<std::string>{"mesh_00000.ply", "mesh_00003.ply", "mesh_00006.ply",
+                                                                 "seed.mtl", "seed.obj", "seed.pc2"}));
     EXPECT_THAT(read_text(directory.path() / "mesh_00000.ply"), HasSubstr("end_header\n-0.5 1 0\n-0.4375 1 0\n"));
     EXPECT_EQ(fs::file_size(directory.path() / "seed.pc2"), 32u + 3 * 289 * 12);
 }

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
 #include <random>
 #include <sstream>
 
-#include "core/files.h"
 #include "model/triangle_mesh.h"
 #include "support/program_run.h"
 #include "support/sheets.h"
@@ -23,7 +22,7 @@ TEST(MeshWriter, obj_and_ply_give_back_the_same_floats)
     std::vector<glm::vec4> positions;
     for (std::size_t i = 0; i < sheet.mesh.positions.size(); ++i)
         positions.emplace_back(at(random), at(random), at(random), 0);
-    const MeshView view{positions, sheet.mesh.uvs, sheet.mesh.faces};
+    const MeshView view{positions, sheet.mesh.uvs, sheet.mesh.faces, {}, {}};
     const TemporaryDirectory directory;
     const TriangleMesh back = load_obj(directory.write("a.obj", obj_text(view)));
     ASSERT_EQ(back.positions.size(), positions.size());
@@ -42,25 +41,30 @@ TEST(MeshWriter, obj_and_ply_give_back_the_same_floats)
     }
 }
 
-TEST(MeshWriter, a_point_cache_is_a_header_and_all_samples)
+TEST(MeshWriter, sheets_are_groups_with_materials_of_their_own)
 {
-    PointCache cache(2);
-    const std::vector<glm::vec4> a{{1, 2, 3, 9}, {4, 5, 6, 9}}, b{{7, 8, 9, 9}, {10, 11, 12, 9}};
-    cache.add(a);
-    cache.add(b);
-    const TemporaryDirectory directory;
-    cache.write(directory.path() / "c.pc2");
-    const std::string bytes = read_text(directory.path() / "c.pc2");
-    ASSERT_EQ(bytes.size(), 32u + 2 * 2 * 12);
-    EXPECT_EQ(bytes.substr(0, 12), std::string("POINTCACHE2\0", 12));
-    std::int32_t numbers[5];
-    std::memcpy(numbers, bytes.data() + 12, sizeof numbers);
-    EXPECT_EQ(numbers[0], 1);
-    EXPECT_EQ(numbers[1], 2);
-    EXPECT_EQ(numbers[4], 2);
-    float last;
-    std::memcpy(&last, bytes.data() + bytes.size() - 4, 4);
-    EXPECT_EQ(last, 12);
+    SheetSource first = square_sheet(2, 1), second = square_sheet(3, 1);
+    first.name = "shirt front";
+    second.name = "shirt front";
+    const std::vector<SheetSource> sheets{first, second};
+    const ClothModel model = build_cloth_model(sheets, MassLumping::equal);
+    std::vector<MeshPart> parts = mesh_parts(model);
+    const std::vector<glm::vec4> positions(model.vertex_count());
+    const std::string text = obj_text({positions, model.uvs, model.faces, parts, "a.mtl"});
+    EXPECT_EQ(text.find("# nuno\nmtllib a.mtl\nv "), 0u);
+    const std::size_t front =
+        text.find("g shirt_front\nusemtl shirt_front\nf 1/1 3/3 4/4\nf 1/1 4/4 2/2\ng shirt_front_2");
+    EXPECT_NE(front, std::string::npos) << text;
+    EXPECT_NE(text.find("usemtl shirt_front_2\nf 5/5 "), std::string::npos) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '/'), 3 * (2 + 8));
+
+    parts[1].texture = "../textures/print.bmp";
+    const std::string materials = mtl_text(parts, 2.5f);
+    EXPECT_NE(materials.find("newmtl shirt_front_2\nKa 0 0 0\nKs 0 0 0\nKd 1 1 1\nmap_Kd -s 2.5 2.5 1 "
+                             "../textures/print.bmp\n"),
+              std::string::npos)
+        << materials;
+    EXPECT_NE(materials.find("newmtl shirt_front\n"), std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "render/texture_file.h"
 
 #include <gtest/gtest.h>
+#include <stb_image_write.h>
 
 #include <cstring>
 #include <string>
@@ -35,6 +36,23 @@ std::string bmp(std::int32_t width, std::int32_t height)
             p[2] = static_cast<char>(10 * x);
         }
     return bytes;
+}
+
+std::string png_chunk(const std::string& type, const std::string& content)
+{
+    const std::string length{0, 0, char(content.size() >> 8), char(content.size())};
+    return length + type + content + "sum.";
+}
+
+// A PNG of RGB pixels, `bits` a channel, whose rows are `raw`, each after its byte of filter; the sums are not looked at.
+std::string png(int width, int height, int bits, const std::string& raw)
+{
+    const auto low = [&raw](int flip) {
+        return std::string{char(int(raw.size()) ^ flip), char((int(raw.size()) >> 8) ^ flip)};
+    };
+    const std::string size{0, 0, char(width >> 8), char(width), 0, 0, char(height >> 8), char(height)};
+    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", size + char(bits) + "\2" + std::string(3, '\0')) +
+           png_chunk("IDAT", "\x78\x01\x01" + low(0) + low(-1) + raw + "sum.") + png_chunk("IEND", "");
 }
 
 class TextureFileTest : public testing::Test
@@ -77,6 +95,66 @@ TEST_F(TextureFileTest, the_shipped_textures_are_24_bit_and_small)
         EXPECT_EQ(read_text(texture)[28], 24) << name;
         EXPECT_LT(std::filesystem::file_size(texture), 200'000u) << name;
     }
+}
+
+TEST_F(TextureFileTest, a_picture_of_one_pixel_is_read)
+{
+    write_whole(path, bmp(1, 1));
+    EXPECT_EQ(load_picture(path, 64).rgba, (std::vector<std::uint8_t>{0, 0, 30, 255}));
+}
+
+TEST_F(TextureFileTest, a_bmp_with_a_palette_is_read)
+{
+    std::string bytes = bmp(2, 1).substr(0, 54);
+    bytes[10] = 54 + 8;  // pixels after two colours of blue, green, red, 0
+    bytes[28] = 8;       // bits
+    bytes[46] = 2;       // colours
+    bytes += std::string("\1\2\3\0\4\5\6\0", 8) + std::string("\1\0\0\0", 4);
+    write_whole(path, bytes);
+    EXPECT_EQ(load_picture(path, 64).rgba, (std::vector<std::uint8_t>{6, 5, 4, 255, 3, 2, 1, 255}));
+}
+
+TEST_F(TextureFileTest, of_16_bits_a_channel_the_upper_8_are_taken)
+{
+    write_whole(path, png(1, 1, 16, std::string("\0\x10\xff\x20\x00\x30\x80", 7)));
+    EXPECT_EQ(load_picture(path, 64).rgba, (std::vector<std::uint8_t>{0x10, 0x20, 0x30, 255}));
+}
+
+TEST_F(TextureFileTest, a_picture_with_too_many_pixels_is_an_error)
+{
+    write_whole(path, png(16384, 16384, 8, ""));
+    try {
+        load_picture(path, 16384);
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("16384 x 16384 pixels, more than"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(TextureFileTest, a_png_that_is_cut_short_is_an_error_at_any_length)
+{
+    const std::string whole = png(2, 2, 8, std::string(2 * 7, '\0'));
+    ASSERT_EQ(message_of(whole), "no error");
+    // The last 4 bytes are a sum that is not looked at.
+    for (std::size_t length = 1; length < whole.size() - 4; ++length)
+        EXPECT_NE(message_of(whole.substr(0, length)), "no error") << length << " bytes";
+}
+
+TEST_F(TextureFileTest, a_jpeg_or_tga_that_is_cut_short_is_an_error)
+{
+    std::vector<std::uint8_t> noise(3 * 32 * 32);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<std::uint8_t>(i * i * 31);
+    stbi_write_jpg(path.c_str(), 32, 32, 3, noise.data(), 90);
+    const std::string jpeg = read_text(path);
+    EXPECT_EQ(load_picture(path, 64).width, 32);
+    for (const std::size_t length : {jpeg.size() / 2, jpeg.size() - 1})
+        EXPECT_NE(message_of(jpeg.substr(0, length)).find("cut short"), std::string::npos) << length << " bytes";
+    path.replace_extension(".tga");
+    stbi_write_tga_with_rle = 0;
+    stbi_write_tga(path.c_str(), 32, 32, 3, noise.data());
+    const std::string tga = read_text(path);
+    EXPECT_EQ(load_picture(path, 64).width, 32);
+    EXPECT_NE(message_of(tga.substr(0, tga.size() / 2)).find("cut short"), std::string::npos);
 }
 
 TEST_F(TextureFileTest, a_missing_file_is_an_error)

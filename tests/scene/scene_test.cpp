@@ -81,6 +81,48 @@ TEST(Scene, keys_reach_the_parameters_the_sheets_and_the_bodies)
     EXPECT_THAT(sheet.pins, testing::UnorderedElementsAre(0, 1, 2, 3, 4, 10, 12, 24));
 }
 
+TEST(Scene, a_mesh_is_pinned_by_its_groups_a_list_in_a_file_and_numbers)
+{
+    const TemporaryDirectory directory;
+    directory.write("towel.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\ng hem\nf 1 2 3\ng rest\nf 1 3 4\nf 3 5 4\n");
+    directory.write("pins.txt", "# numbers from 0\n3, 2\n2\n");
+    const auto pins = [&](const std::string& keys) {
+        const auto path =
+            directory.write("t.toml", "[[handle]]\nname = \"bar\"\n[[sheet]]\nmesh = \"towel.obj\"\n" + keys);
+        const Scene scene = load_scene(path.string());
+        return make_sheets(scene, scene.params).front();
+    };
+    EXPECT_THAT(pins("pins = [\"hem\"]\n").pins, testing::UnorderedElementsAre(0, 1, 2));
+    EXPECT_THAT(pins("pin_file = \"pins.txt\"\npins = [4]\n").pins, testing::IsSupersetOf({2, 3, 4}));
+    const SheetSource carried = pins("handles = [{ name = \"bar\", pin_file = \"pins.txt\" }]\n");
+    EXPECT_EQ(carried.handle_pins.front().vertex, 3u);
+    const auto told = [&](const std::string& keys) {
+        try {
+            pins(keys);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_THAT(told("pins = [\"hen\"]\n"),
+                AllOf(HasSubstr("t.toml:5"), HasSubstr("towel.obj; the nearest is hem; there are hem or rest")));
+    EXPECT_THAT(told("pin_file = \"none.txt\"\n"), HasSubstr("none.txt: cannot be read"));
+    directory.write("pins.txt", "1\n2 x\n");
+    EXPECT_THAT(told("pin_file = \"pins.txt\"\n"), HasSubstr("pins.txt:2: 'x' is no vertex number"));
+    directory.write("pins.txt", "# none\n");
+    EXPECT_THAT(told("pin_file = \"pins.txt\"\n"), HasSubstr("pins.txt: names no vertex"));
+}
+
+TEST(Scene, a_format_that_is_newer_is_refused_before_its_keys_are)
+{
+    EXPECT_EQ(load("format = 1\n" + kSheet).sheets.size(), 1u);
+    EXPECT_THAT(refusal("title = \"t\"\nformat = 2\nnovelty = 3\n" + kSheet),
+                AllOf(HasSubstr("test.toml:2: the scene has format 2"), HasSubstr("newer nuno")));
+    EXPECT_THAT(refusal("format = 0\n" + kSheet), HasSubstr("test.toml:1: format = 0 must be 1"));
+    EXPECT_THAT(refusal("format = \"1\"\n" + kSheet), HasSubstr("test.toml:1"));
+}
+
 TEST(Scene, resolution_sets_the_longer_side_and_keeps_the_cells)
 {
     Scene scene = load("[[sheet]]\ncolumns = 9\nrows = 5\nacross = [2, 0, 0]\npins = [\"top_right\", \"centre\"]\n");

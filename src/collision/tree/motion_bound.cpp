@@ -97,6 +97,14 @@ double MotionBound::relative_motion(const Poses& poses, ThreadPool& pool) const
     return std::max(diagonal(all.start), diagonal(all.end));
 }
 
+void MotionBound::carry(Archive& archive)
+{
+    archive.value(step_);
+    archive.list(start_);
+    archive.list(end_);
+    archive.value(found_within_);
+}
+
 bool MotionBound::covers(const Poses& poses, float distance, ThreadPool& pool) const
 {
     return relative_motion(poses, pool) + double(distance) <= double(found_within_);

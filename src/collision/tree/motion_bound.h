@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "collision/tree/tree_node.h"
+#include "core/archive.h"
 #include "core/thread_pool.h"
 
 namespace nuno {
@@ -34,6 +35,9 @@ class MotionBound
 
     // How far two vertices have moved against each other since the query, at most [m]; infinite without one.
     double relative_motion(const Poses& poses, ThreadPool& pool) const;
+
+    // Writes what is remembered, or reads it.
+    void carry(Archive& archive);
 
   private:
     void note(const Poses& poses, std::size_t step);

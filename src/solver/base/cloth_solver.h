@@ -8,6 +8,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "core/archive.h"
 #include "model/body.h"
 #include "model/cloth_state.h"
 #include "model/layer_contact.h"
@@ -59,6 +60,10 @@ class ClothSolver
     virtual void download_velocities(std::span<glm::vec4> velocities) = 0;
     // The first vertex whose position or velocity is lost (model/cloth_state.h).
     virtual std::optional<std::uint32_t> first_lost() = 0;
+
+    // Writes what the method keeps beyond the state, or reads it: right after the upload of that state into a solver
+    // made for the same parameters, whose next step then has the bits that it would have had.
+    virtual void carry(Archive&, const SimParams&) {}
 
     // OpenGL name of the buffer that holds the positions now (vec4 each); 0 where they are not on the device.
     virtual std::uint32_t position_buffer() const = 0;

@@ -1,6 +1,8 @@
 // The state in buffers, and its way in and out.
 #include "solver/base/gpu_solver.h"
 
+#include <vector>
+
 #include "gl/barriers.h"
 #include "shaders/shared/bindings.h"
 
@@ -73,6 +75,16 @@ void GpuSolver::bind_state(int from, int to) const
     velocities_[from].texture.bind(UNIT_VELOCITIES);
     positions_[to].buffer.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_POSITIONS);
     velocities_[to].buffer.bind_block(GL_SHADER_STORAGE_BUFFER, BLOCK_VELOCITIES);
+}
+
+void GpuSolver::carry_buffer(Archive& archive, Buffer& buffer) const
+{
+    std::vector<glm::vec4> values(vertex_count_);
+    barrier_compute_to_readback();
+    if (!archive.reads()) buffer.read(0, std::span(values));
+    archive.values(std::span(values));
+    barrier_compute_to_upload();
+    if (archive.reads()) buffer.update(0, values);
 }
 
 void GpuSolver::dispatch() const { glDispatchCompute((vertex_count_ + GROUP_SIZE - 1) / GROUP_SIZE, 1, 1); }

@@ -37,6 +37,8 @@ class GpuSolver : public ClothSolver
     virtual const Buffer& contact_velocities() const { return velocities_[current_].buffer; }
     // To take them over from there.
     virtual void take_contact_velocities() {}
+    // Writes a buffer of one vec4 a vertex, or reads it.
+    void carry_buffer(Archive& archive, Buffer& buffer) const;
     // Binds one side as what kernels read (positions and velocities) and the other as what they write.
     void bind_state(int from, int to) const;
     // One invocation a vertex.

@@ -6,6 +6,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "core/archive.h"
 #include "model/wide.h"
 
 namespace nuno {
@@ -17,6 +18,7 @@ class VertexLane
     explicit VertexLane(std::uint32_t count) : values_(kPad + (count + kLanes - 1) / kLanes * kLanes + kPad, 0.0f) {}
     float* first() { return values_.data() + kPad; }
     const float* first() const { return values_.data() + kPad; }
+    void carry(Archive& archive) { archive.values(std::span(values_)); }
 
   private:
     static constexpr int kPad = kLanes;
@@ -47,6 +49,11 @@ class VertexLanes3
         x_.first()[i] = a.x;
         y_.first()[i] = a.y;
         z_.first()[i] = a.z;
+    }
+
+    void carry(Archive& archive)
+    {
+        for (VertexLane* lane : {&x_, &y_, &z_}) lane->carry(archive);
     }
 
   private:

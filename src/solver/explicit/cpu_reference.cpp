@@ -96,6 +96,15 @@ void CpuReference::refresh(const SimParams& params)
     fresh_ = true;
 }
 
+void CpuReference::carry(Archive& archive, const SimParams& params)
+{
+    refresh(params);
+    for (auto* values : {&now_.x, &now_.v}) archive.values(std::span(*values));
+    archive.value(step_s_);
+    archive.value(fresh_);
+    if (!fresh_) method_.carry(archive);
+}
+
 void CpuReference::step(const StepInput& input)
 {
     refresh(input.params);

@@ -24,6 +24,7 @@ class CpuReference final : public HostSolver
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
+    void carry(Archive& archive, const SimParams& params) override;
     void download_positions(std::span<glm::vec4> positions) override;
     void download_velocities(std::span<glm::vec4> velocities) override;
     std::optional<std::uint32_t> first_lost() override;

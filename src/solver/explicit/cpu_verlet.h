@@ -22,6 +22,7 @@ class CpuVerlet final : public CpuSolver
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
+    void carry(Archive& archive, const SimParams& params) override;
 
   private:
     void move_vertices(std::span<const VertexMove> moves) override;

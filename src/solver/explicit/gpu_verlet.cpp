@@ -49,6 +49,14 @@ void GpuVerlet::set_vertex(std::uint32_t vertex, glm::vec4 position)
     accelerations_for_.reset();
 }
 
+void GpuVerlet::carry(Archive& archive, const SimParams& params)
+{
+    bool known = accelerations_for_ && same_params(*accelerations_for_, params);
+    archive.value(known);
+    accelerations_for_ = known ? std::optional(params) : std::nullopt;
+    if (known) carry_buffer(archive, accelerations_);
+}
+
 void GpuVerlet::step(const StepInput& input)
 {
     if (input.substep_count <= 0) return;

@@ -21,6 +21,7 @@ class GpuVerlet final : public GpuSolver
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
+    void carry(Archive& archive, const SimParams& params) override;
 
   private:
     void take_contact_velocities() override { accelerations_for_.reset(); }

@@ -73,6 +73,11 @@ double DormandPrince::step(const Acceleration& acceleration, const MotionInDoubl
 
 void DormandPrince::accept() { std::swap(stages_.front(), stages_.back()); }
 
+void DormandPrince::carry(Archive& archive)
+{
+    for (auto* values : {&stages_.front().v, &stages_.front().a}) archive.values(std::span(*values));
+}
+
 double DormandPrince::next_step(double h, double error, double wanted)
 {
     if (!(error < 1e300)) return h / 5;

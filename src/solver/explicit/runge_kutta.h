@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/archive.h"
+
 namespace nuno {
 
 struct MotionInDouble
@@ -30,6 +32,8 @@ class DormandPrince
                 MotionInDouble& to);
     // To be called where the step is taken: its last stage is the next one's first.
     void accept();
+    // Writes that stage, or reads it.
+    void carry(Archive& archive);
 
     // The step for which the error would have been `wanted`, by the law err ~ h^5, at most 5 times h and at least a
     // fifth.

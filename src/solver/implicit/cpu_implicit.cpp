@@ -151,6 +151,14 @@ StageSettings CpuImplicit::settings(const SimParams& params, double time_s) cons
             .newton_steps = params.iterations > 0 ? params.iterations : own};
 }
 
+void CpuImplicit::carry(Archive& archive, const SimParams&)
+{
+    std::vector<glm::vec3> low(places_.size());
+    for (std::size_t v = 0; v < low.size(); ++v) low[v] = at(places_[v].sheet->motion().x_low, places_[v].at);
+    archive.values(std::span(low));
+    for (std::size_t v = 0; v < low.size(); ++v) put(places_[v].sheet->motion().x_low, places_[v].at, low[v]);
+}
+
 void CpuImplicit::step(const StepInput& input)
 {
     refresh(input.params);

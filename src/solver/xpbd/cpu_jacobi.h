@@ -23,6 +23,7 @@ class CpuJacobi final : public CpuSolver
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
+    void carry(Archive& archive, const SimParams& params) override;
 
     struct Substep;  // what the kernels of one substep read and write
 

@@ -58,6 +58,11 @@ void CpuXpbd::move_vertices(std::span<const VertexMove> moves)
     for (const auto& part : parts_) part->move_vertices(moves);
 }
 
+void CpuXpbd::carry(Archive& archive, const SimParams& params)
+{
+    for (const auto& part : parts_) part->carry(archive, params);
+}
+
 void CpuXpbd::step(const StepInput& input)
 {
     if (input.substep_count <= 0) return;

@@ -27,6 +27,7 @@ class GpuXpbd final : public GpuSolver
     void upload_velocities(std::span<const glm::vec4> velocities) override;
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void step(const StepInput& input) override;
+    void carry(Archive& archive, const SimParams& params) override;
 
   private:
     const Buffer& contact_velocities() const override { return given_; }

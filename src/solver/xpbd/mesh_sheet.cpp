@@ -175,6 +175,16 @@ void MeshSheet::run_thread(const XpbdStep& step, MeshMotion motion, const Team& 
     }
 }
 
+void MeshSheet::carry(Archive& archive, const SimParams& params)
+{
+    bool known = last_is_known_ && !xpbd_changes(made_for_, params).times;
+    archive.value(known);
+    last_is_known_ = known;
+    if (archive.reads()) made_for_ = params;
+    if (!known) return;
+    for (Vec4s* values : {&last_positions_, &last_velocities_}) archive.values(std::span(*values));
+}
+
 void MeshSheet::step(const XpbdStep& step)
 {
     prepare(step);

@@ -304,6 +304,17 @@ void StripSheet::run_thread(const Work& work, const Team& team)
     }
 }
 
+void StripSheet::carry(Archive& archive, const SimParams& params)
+{
+    bool known = last_is_known_ && !xpbd_changes(made_for_, params).times;
+    archive.value(known);
+    last_is_known_ = known;
+    if (archive.reads()) made_for_ = params;
+    if (known)
+        for (StripLanes* lanes : {&last_positions_, &last_velocities_}) archive.values(std::span(*lanes));
+    archive.values(std::span(sticking_));
+}
+
 void StripSheet::step(const XpbdStep& step)
 {
     prepare(step);

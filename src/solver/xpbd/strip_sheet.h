@@ -31,6 +31,7 @@ class StripSheet final : public XpbdPart
     void set_vertex(std::uint32_t vertex, glm::vec4 position) override;
     void move_vertices(std::span<const VertexMove> moves) override;
     void step(const XpbdStep& step) override;
+    void carry(Archive& archive, const SimParams& params) override;
     void download_positions(std::span<glm::vec4> positions) const override;
     void download_velocities(std::span<glm::vec4> velocities) const override;
 

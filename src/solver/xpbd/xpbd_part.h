@@ -32,6 +32,7 @@ class XpbdPart
     virtual void set_vertex(std::uint32_t vertex, glm::vec4 position) = 0;
     virtual void move_vertices(std::span<const VertexMove> moves) = 0;
     virtual void step(const XpbdStep& step) = 0;
+    virtual void carry(Archive& archive, const SimParams& params) = 0;  // as a ClothSolver
     virtual void download_positions(std::span<glm::vec4> positions) const = 0;
     virtual void download_velocities(std::span<glm::vec4> velocities) const = 0;
 };
