@@ -13,8 +13,9 @@ struct Air
 SHARED_FN Real kept_of_damper(Real lost) { return Real(1.0f) / max_real(Real(1.0f), Real(2.0f) * lost); }
 
 // F = rho A / 2 (Cn |u.n| (u.n) n + Ct |u| u_t) [N], u: velocity of the air relative to the face [m/s], u_t its part
-// along the face, A and n area and normal of the face with edges e1, e2. A face without area feels nothing.
-SHARED_FN Vec3 face_air_force(Vec3 e1, Vec3 e2, Vec3 u, Real rest_area, Air air)
+// along the face, A and n area and normal of the face with edges e1, e2; mass_area as FaceRest has it. A face without
+// area feels nothing.
+SHARED_FN Vec3 face_air_force(Vec3 e1, Vec3 e2, Vec3 u, Real mass_area, Air air)
 {
     PRECISE Vec3 c = area_vector(e1, e2);
     PRECISE Real twice_area = vector_length(c);
@@ -24,7 +25,7 @@ SHARED_FN Vec3 face_air_force(Vec3 e1, Vec3 e2, Vec3 u, Real rest_area, Air air)
     PRECISE Real drag = Real(0.25f) * air.density * twice_area;
     PRECISE Real normal_drag = drag * air.pressure * max_real(normal_speed, -normal_speed);
     PRECISE Real skin_drag = drag * air.skin * vector_length(u);
-    PRECISE Real lost = air.h / max_real(air.areal_density * rest_area, Real(1e-20f));
+    PRECISE Real lost = air.h / max_real(air.areal_density * mass_area, Real(1e-20f));
     PRECISE Real normal_kept = normal_drag * kept_of_damper(lost * normal_drag);
     PRECISE Real skin_kept = skin_drag * kept_of_damper(lost * skin_drag);
     PRECISE Vec3 force = (normal_kept * normal_speed) * n + skin_kept * along;

@@ -6,6 +6,7 @@ struct FaceRest
 {
     Real warp_1, warp_2, weft_1, weft_2;  // [1/m]
     Real area;                            // [m2]
+    Real mass_area;                       // [m2] of cloth: three times the face's share of its lightest corner
 };
 
 // [N/m]: C11, C22, C12, C33; damping: beta [s] of the Rayleigh damper.

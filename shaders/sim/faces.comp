@@ -12,7 +12,8 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(binding = UNIT_POSITIONS) uniform samplerBuffer old_positions;
 layout(binding = UNIT_VELOCITIES) uniform samplerBuffer old_velocities;
 layout(binding = UNIT_FACES) uniform isamplerBuffer faces;
-layout(binding = UNIT_FACE_RESTS) uniform samplerBuffer face_rests; // two texels: warp_1, warp_2, weft_1, weft_2; area
+// Two texels: warp_1, warp_2, weft_1, weft_2; area, mass_area.
+layout(binding = UNIT_FACE_RESTS) uniform samplerBuffer face_rests;
 layout(std430, binding = BLOCK_FACE_FORCES) writeonly buffer FaceForces { vec4 face_forces[]; };
 layout(std140, binding = BLOCK_PARAMS) uniform SimParams
 {
@@ -62,7 +63,9 @@ FaceRest face_rest(int face)
     rest.warp_2 = gradients.y;
     rest.weft_1 = gradients.z;
     rest.weft_2 = gradients.w;
-    rest.area = texelFetch(face_rests, 2 * face + 1).x;
+    vec2 areas = texelFetch(face_rests, 2 * face + 1).xy;
+    rest.area = areas.x;
+    rest.mass_area = areas.y;
     return rest;
 }
 
@@ -84,7 +87,7 @@ void main()
 #endif
 #if AIR
     vec3 u = relative_air(air_velocity(face_mean(x0, x1, x2)), face_mean(v0, v1, v2));
-    outer = third_of(face_air_force(x1 - x0, x2 - x0, u, rest.area, air_of()));
+    outer = third_of(face_air_force(x1 - x0, x2 - x0, u, rest.mass_area, air_of()));
 #endif
     precise vec3 on_0 = outer - (inner.on_1 + inner.on_2);
     precise vec3 on_1 = outer + inner.on_1;

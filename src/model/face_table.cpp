@@ -26,7 +26,8 @@ formulas::FaceRest face_rest(const ClothModel& model, std::size_t face)
     const glm::dvec3 normal = glm::cross(e1, e2);
     const double twice_area = glm::length(normal);
     const double longest = std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)});
-    formulas::FaceRest rest{0, 0, 0, 0, static_cast<float>(twice_area / 2)};
+    const auto area = static_cast<float>(twice_area / 2);
+    formulas::FaceRest rest{0, 0, 0, 0, area, area};
     if (twice_area <= kThinnest * longest * longest) return rest;
     // Coordinates in the plane of the face, warp and weft; the warp of a grid may lean out of it by rounding.
     const glm::dvec3 n = normal / twice_area;
@@ -40,6 +41,22 @@ formulas::FaceRest face_rest(const ClothModel& model, std::size_t face)
     rest.weft_1 = static_cast<float>(inverse[1][0]);
     rest.weft_2 = static_cast<float>(inverse[1][1]);
     return rest;
+}
+
+// Each vertex shares its mass out by the faces' areas; the lightest corner is what a force on the face turns round first.
+void share_masses(const ClothModel& model, std::vector<formulas::FaceRest>& rests)
+{
+    std::vector<double> around(model.vertex_count());
+    for (std::size_t face = 0; face < rests.size(); ++face)
+        for (int corner = 0; corner < 3; ++corner) around[model.faces[face][corner]] += double(rests[face].area) / 3;
+    for (std::size_t face = 0; face < rests.size(); ++face) {
+        double lighter = 1;
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t v = model.faces[face][corner];
+            lighter = std::max(lighter, around[v] / double(model.areas[v]));
+        }
+        rests[face].mass_area = static_cast<float>(double(rests[face].area) / lighter);
+    }
 }
 
 }  // namespace
@@ -56,6 +73,7 @@ std::vector<formulas::FaceRest> face_rests(const ClothModel& model)
     std::vector<formulas::FaceRest> rests;
     rests.reserve(model.faces.size());
     for (std::size_t face = 0; face < model.faces.size(); ++face) rests.push_back(face_rest(model, face));
+    share_masses(model, rests);
     return rests;
 }
 

@@ -19,7 +19,8 @@ struct FaceForces
 FaceForces face_forces(const SimParams& params);
 
 // Each face at rest, warp along ClothModel::face_warps. A face thinner than 1e-5 of its longest edge has no shape that
-// a float holds: it gets an area, but no gradients, so that its membrane exerts no force.
+// a float holds: it gets an area, but no gradients, so that its membrane exerts no force. mass_area is less than the area
+// where a corner is lighter than the faces about it.
 std::vector<formulas::FaceRest> face_rests(const ClothModel& model);
 
 // ELLPACK: entry (slot, vertex) at slot * vertex_count + vertex is corner * face_count + face, faces in ascending

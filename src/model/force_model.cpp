@@ -12,7 +12,8 @@ namespace {
 
 formulas_f64::FaceRest in_double(const formulas::FaceRest& r)
 {
-    return {double(r.warp_1), double(r.warp_2), double(r.weft_1), double(r.weft_2), double(r.area)};
+    return {double(r.warp_1), double(r.warp_2), double(r.weft_1),
+            double(r.weft_2), double(r.area),   double(r.mass_area)};
 }
 
 formulas_f64::MembraneConstants membrane_in_double(const SimParams& params)
@@ -93,7 +94,7 @@ void ForceModel::add_air(std::span<const glm::dvec3> x, std::span<const glm::dve
         const glm::uvec3 c = model_.faces[face];
         const glm::dvec3 centre = (x[c[0]] + x[c[1]] + x[c[2]]) / 3.0, velocity = (v[c[0]] + v[c[1]] + v[c[2]]) / 3.0;
         const glm::dvec3 f = formulas_f64::face_air_force(
-            x[c[1]] - x[c[0]], x[c[2]] - x[c[0]], air_velocity(field, centre) - velocity, faces_[face].area, air);
+            x[c[1]] - x[c[0]], x[c[2]] - x[c[0]], air_velocity(field, centre) - velocity, faces_[face].mass_area, air);
         for (int k = 0; k < 3; ++k) force[c[k]] += f / 3.0;
     }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -114,6 +115,10 @@ struct Opposite
     std::uint32_t corner, face;
 };
 
+// Weights of a hinge, products of its cotangents, are as far off by rounding as their sum is worth in a bend of a radian
+// where a cotangent squared is the 2^24 of a float: a form that can be below 0, and without end in thinner faces.
+constexpr float kLargestCotangent = 4096;
+
 // A hinge: edge (v0, v1) between the corners v2 and v3.
 void add_hinge_plate(std::map<Edge, Spring*>& edges, Spring& hinge, std::span<const glm::vec3> positions,
                      std::array<std::uint32_t, 4> v, float warp_share)
@@ -122,6 +127,7 @@ void add_hinge_plate(std::map<Edge, Spring*>& edges, Spring& hinge, std::span<co
     const float cot02 = cotangent(at(0), at(1), at(2)), cot03 = cotangent(at(0), at(1), at(3));
     const float cot12 = cotangent(at(1), at(0), at(2)), cot13 = cotangent(at(1), at(0), at(3));
     const std::array<float, 4> c{cot12 + cot13, cot02 + cot03, -cot02 - cot12, -cot03 - cot13};
+    if (std::any_of(c.begin(), c.end(), [](float sum) { return std::abs(sum) > kLargestCotangent; })) return;
     const float area = (glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) +
                         glm::length(glm::cross(at(1) - at(0), at(3) - at(0)))) /
                        2;

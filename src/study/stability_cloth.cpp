@@ -30,9 +30,11 @@ SimParams params_of(SimParams p, const RestCase& rest)
     return p;
 }
 
-double highest_frequency(const ClothModel& model, const SimParams& params, const ClothState& state)
+// And its mode, at most 1.
+double highest_frequency(const ClothModel& model, const SimParams& params, const ClothState& state,
+                         std::vector<glm::dvec3>& mode)
 {
-    std::vector<glm::dvec3> mode;
+    mode.clear();
     double omega = omega_max(model, params, state, mode), before = 0;
     for (int i = 0; i < 100 && omega - before > 1e-6 * omega; ++i) {
         before = omega;
@@ -133,7 +135,7 @@ RestCloth rest_cloth(const ClothModel& sheets, const SimParams& params, const Re
         settle(cloth);
         cloth.omega_bound *= std::sqrt(2.0);  // however far springs are stretched
     }
-    cloth.omega = highest_frequency(cloth.model, cloth.params, cloth.rest);
+    cloth.omega = highest_frequency(cloth.model, cloth.params, cloth.rest, cloth.fast_motion);
     cloth.slow_motion = slow_motion(cloth.model, cloth.rest);
     cloth.slow_omega = frequency_of(cloth.model, cloth.params, cloth.rest, cloth.slow_motion);
     cloth.spring_m = mean_length(cloth.model, cloth.rest);
@@ -157,7 +159,9 @@ ClothState shaken(const RestCloth& cloth, const Shake& shake)
         for (int axis = 0; axis < 3; ++axis) {
             const double of_all_modes = shake.noise * share();
             if (state.positions[v].w <= 0) continue;
-            state.velocities[v][axis] = static_cast<float>(speed * (cloth.slow_motion[v][axis] + of_all_modes));
+            const double of_the_fast = shake.fast * cloth.fast_motion[v][axis];
+            state.velocities[v][axis] =
+                static_cast<float>(speed * (cloth.slow_motion[v][axis] + of_all_modes + of_the_fast));
         }
     return state;
 }

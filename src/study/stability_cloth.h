@@ -32,6 +32,7 @@ struct RestCloth
     double omega = 0, omega_bound = 0;    // the highest frequency here, and the bound on it [rad/s]
     std::vector<glm::dvec3> slow_motion;  // of the whole sheet, longest waves along its sides; at most 1
     double slow_omega = 0;                // its frequency [rad/s]
+    std::vector<glm::dvec3> fast_motion;  // of the highest mode; at most 1
     double spring_m = 0;                  // mean length of a spring here
     double residual_speed = 0;            // that a loaded cloth is left with [m/s]
 };
@@ -48,11 +49,13 @@ RestCloth rest_cloth(const ClothModel& sheets, const SimParams& params, const Re
 // The largest stable substep of a method here [s].
 double predicted_limit_s(const RestCloth& cloth, Method method);
 
-// How a cloth at rest is set in motion: the velocity of the slow motion, and of all modes, repeatable by a seed.
+// How a cloth at rest is set in motion: the velocity of the slow motion, of all modes, repeatable by a seed, and of the
+// highest.
 struct Shake
 {
     double share;  // of the length of a spring that the slow motion goes
     double noise;  // of all modes, in shares of the slow one
+    double fast;   // of the highest, the same
     int seed;
 };
 ClothState shaken(const RestCloth& cloth, const Shake& shake);

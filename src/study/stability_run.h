@@ -33,7 +33,7 @@ struct ShakeRun
 // where a number was lost.
 double error_of(const RestCloth& cloth, Method method, double substep_s, int seed);
 
-// `substeps` of a method from the shaken cloth, or fewer once motion has grown thirtyfold.
+// `substeps` of a method from the shaken cloth, or fewer once motion has grown.
 ShakeRun shake(const RestCloth& cloth, Method method, double substep_s, int substeps, int seed);
 
 // Whether it grows, and nothing else.

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/diagnostics.h"
 #include "solver/implicit/cpu_implicit.h"
 #include "solver/solver_runs.h"
 #include "support/verification.h"
@@ -122,6 +123,32 @@ TEST_P(ImplicitTest, a_strip_hangs_in_the_wind_at_the_angle_of_its_drag)
     const glm::vec4 tip = end.state.positions.back();
     expect_measured(fmt::format("limp strip in wind of 1 m/s, {}: angle, degrees", name_of(GetParam())),
                     std::atan2(double(tip.z), -double(tip.y)) * 180 / M_PI, 28.30, 0.5);
+}
+
+// A row of cells a millionth as wide as long: its springs are shorter than the way of a substep, which the tangent knows
+// nothing of.
+TEST_P(ImplicitTest, springs_shorter_than_the_way_of_a_substep_make_no_energy)
+{
+    SheetSource sheet = square_mesh(9, 1);
+    for (glm::vec3& p : sheet.mesh.positions)
+        if (p.y == -0.125f) p.y *= 1e-6f;
+    const ClothModel model = build_cloth_model(std::span(&sheet, 1), MassLumping::area);
+    SimParams params = implicit_params(GetParam());
+    params.internal_model = InternalModel::fabric_springs;
+    params.bending_warp = params.bending_weft = params.bending_bias = 0;
+    params.gravity_y = 0;
+    ClothState state = start_state(model, params);
+    for (std::size_t v = 0; v < state.velocities.size(); ++v)
+        state.velocities[v].z = std::cos(10 * (state.positions[v].x + state.positions[v].y));
+    const double before = measure(model, state, params).kinetic_j;
+    for (const int substeps : {1, 4, 20}) {
+        params.substeps = substeps;
+        const ClothState end = run_frames(model, params, state, 20).state;
+        ASSERT_EQ(first_lost(end.positions), std::nullopt) << substeps;
+        const Diagnostics after = measure(model, end, params);
+        EXPECT_LE(after.kinetic_j + after.elastic_j, 1.01 * before) << substeps;
+        EXPECT_GT(after.kinetic_j, 0.01 * before) << substeps;
+    }
 }
 
 class ImplicitThreadsTest : public ImplicitTest

@@ -34,5 +34,27 @@ TEST(Storm, wind_of_100_metres_a_second_blows_no_explicit_method_up)
     }
 }
 
+// Still air takes half of the speed of a vertex at most, whatever its mass: where the neighbours are heavier than it by
+// 1e4, the force on a face is bounded by the lightest of its corners.
+TEST(Storm, still_air_turns_no_vertex_round_however_light)
+{
+    constexpr float speed = 10;
+    ClothModel model = square_cloth(9, 1, {}, MassLumping::area);
+    for (std::uint32_t v = 1; v < model.vertex_count(); v += 2) model.areas[v] /= 1e4f;
+    for (const Method method : methods_that([](const MethodInfo& info) { return info.method != Method::reference; })) {
+        SimParams params = on_cpu(method);
+        params.wind_model = WindModel::aero;
+        params.damping = params.gravity_y = 0;
+        params.structural_stiffness = params.shear_stiffness = params.bend_stiffness = 1e-9f;
+        params.frame_rate = 60;
+        ClothState state = start_state(model, params);
+        for (glm::vec4& v : state.velocities) v.z = speed;
+        for (const glm::vec4& v : run(model, params, state, 1).velocities) {
+            EXPECT_GE(v.z, 0.499f * speed) << name_of(method);
+            EXPECT_LT(v.z, speed) << name_of(method);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace nuno

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
+
+#include "solver/method_table.h"
 
 namespace nuno {
 namespace {
@@ -30,16 +33,24 @@ TEST(Extremes, nothing_is_expected_of_a_method_without_a_limit_but_numbers_or_a_
     }
 }
 
-class ExtremeTest : public testing::TestWithParam<Method>
+struct SceneAndSide
+{
+    const char* scene;
+    int side;  // vertices along the longer side
+};
+
+// `flag` is of a fabric, in moving air.
+class ExtremeTest : public testing::TestWithParam<std::tuple<Method, SceneAndSide>>
 {};
 
 // All but the million of substeps.
 TEST_P(ExtremeTest, every_case_ends_as_expected)
 {
-    const Scene scene = load_scene("seed");
+    const auto [method, of] = GetParam();
+    const Scene scene = load_scene(of.scene);
     SimParams params = scene.params;
-    params.resolution = 7;
-    for (const ExtremeCase& c : extreme_cases({GetParam()})) {
+    params.resolution = of.side;
+    for (const ExtremeCase& c : extreme_cases({method})) {
         if (c.extreme == Extreme::many_steps) continue;
         const nlohmann::ordered_json result = measure_extreme(scene, params, c);
         EXPECT_TRUE(result["as_expected"].get<bool>()) << c.id << ": " << result.dump();
@@ -49,9 +60,15 @@ TEST_P(ExtremeTest, every_case_ends_as_expected)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, ExtremeTest, testing::ValuesIn(kMethods), [](const auto& test) {
-    return std::string(choice_names(test.param)[std::size_t(test.param)]);
-});
+constexpr auto kCaseName = [](const auto& test) {
+    const auto [method, of] = test.param;
+    return std::string(method_info(method).name) + "_" + of.scene;
+};
+
+INSTANTIATE_TEST_SUITE_P(Methods, ExtremeTest,
+                         testing::Combine(testing::ValuesIn(kMethods),
+                                          testing::Values(SceneAndSide{"seed", 7}, SceneAndSide{"flag", 9})),
+                         kCaseName);
 
 }  // namespace
 }  // namespace nuno

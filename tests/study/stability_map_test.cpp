@@ -54,6 +54,21 @@ INSTANTIATE_TEST_SUITE_P(Methods, StabilityMapTest,
                                          Method::xpbd, Method::vbd, Method::implicit_euler, Method::sdirk2),
                          [](const auto& test) { return std::string(method_info(test.param).name); });
 
+// A fabric, whose motion beyond a limit is soon held by folds. Just beyond it, damped motion sinks for long before it grows.
+TEST(StabilityMap, limits_of_a_damped_flag_are_as_predicted)
+{
+    const Scene scene = load_scene("flag");
+    SimParams params = scene.params;
+    params.method = Method::verlet;
+    params.resolution = 9;
+    const StabilityMaps maps(scene, params, {5, 2});
+    for (const MapKind kind : {MapKind::damping, MapKind::wind})
+        for (std::size_t column = 0; column < 5; ++column)
+            expect_measured(fmt::format("deviation of the limit of verlet on a flag, {} map", map_info(kind).id),
+                            maps.measure_limit(kind, Method::verlet, column)["deviation"].get<double>(), 0,
+                            kLimitTolerance);
+}
+
 TEST(StabilityMap, a_cell_on_the_wrong_side_is_counted)
 {
     const StabilityMaps maps = maps_of(Method::rk4, {2, 2}, 3);

@@ -12,6 +12,8 @@ constexpr std::uint32_t padded(std::size_t count)
     return static_cast<std::uint32_t>((count + kLanes - 1) / kLanes * kLanes);
 }
 
+constexpr int kRestNumbers = 6;  // of FaceRest
+
 // What the loop over blocks needs, as plain pointers.
 struct FaceKernel
 {
@@ -44,9 +46,13 @@ struct FaceKernel
             x[corner] = gather(in.x, vertices + (block * 3 + corner) * kLanes);
             v[corner] = gather(in.v, vertices + (block * 3 + corner) * kLanes);
         }
-        const float* r = rest + block * 5 * kLanes;
-        const F::FaceRest at_rest{WideFloat(r), WideFloat(r + kLanes), WideFloat(r + 2 * kLanes),
-                                  WideFloat(r + 3 * kLanes), WideFloat(r + 4 * kLanes)};
+        const float* r = rest + block * kRestNumbers * kLanes;
+        const F::FaceRest at_rest{WideFloat(r),
+                                  WideFloat(r + kLanes),
+                                  WideFloat(r + 2 * kLanes),
+                                  WideFloat(r + 3 * kLanes),
+                                  WideFloat(r + 4 * kLanes),
+                                  WideFloat(r + 5 * kLanes)};
         F::CornerForces inner{WideVec3(0.0f), WideVec3(0.0f)};
         WideVec3 outer(0.0f);
         if (in.wanted.membrane) inner = membrane(x, v, at_rest);
@@ -54,7 +60,7 @@ struct FaceKernel
             const WideVec3 u =
                 F::relative_air(air_velocity(F::face_mean(x[0], x[1], x[2])), F::face_mean(v[0], v[1], v[2]));
             const formulas::Air& a = in.air;
-            outer = F::third_of(F::face_air_force(x[1] - x[0], x[2] - x[0], u, at_rest.area,
+            outer = F::third_of(F::face_air_force(x[1] - x[0], x[2] - x[0], u, at_rest.mass_area,
                                                   {WideFloat(a.density), WideFloat(a.pressure), WideFloat(a.skin),
                                                    WideFloat(a.areal_density), WideFloat(a.h)}));
         }
@@ -80,14 +86,14 @@ CpuFaces::CpuFaces(const ClothModel& model)
     const std::size_t faces = model.faces.size(), face_count = padded(faces);
     const std::vector<formulas::FaceRest> rests = face_rests(model);
     vertices_.resize(3 * face_count);
-    rest_.resize(5 * face_count);
+    rest_.resize(kRestNumbers * face_count);
     for (std::size_t face = 0; face < faces; ++face) {
         const std::size_t block = face / kLanes, lane = face % kLanes;
         for (std::size_t corner = 0; corner < 3; ++corner)
             vertices_[(block * 3 + corner) * kLanes + lane] = model.faces[face][static_cast<int>(corner)];
         const formulas::FaceRest& r = rests[face];
-        const float numbers[] = {r.warp_1, r.warp_2, r.weft_1, r.weft_2, r.area};
-        for (std::size_t k = 0; k < 5; ++k) rest_[(block * 5 + k) * kLanes + lane] = numbers[k];
+        const float numbers[] = {r.warp_1, r.warp_2, r.weft_1, r.weft_2, r.area, r.mass_area};
+        for (std::size_t k = 0; k < kRestNumbers; ++k) rest_[(block * kRestNumbers + k) * kLanes + lane] = numbers[k];
     }
 
     const CornerTable table = make_corner_table(model);

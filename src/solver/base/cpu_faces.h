@@ -43,7 +43,7 @@ class CpuFaces
   private:
     int vertex_block_count_, face_block_count_, slot_count_;
     std::vector<std::uint32_t> vertices_;  // (block * 3 + corner) * kLanes + lane
-    std::vector<float> rest_;              // (block * 5 + number of FaceRest) * kLanes + lane
+    std::vector<float> rest_;              // (block * 6 + number of FaceRest) * kLanes + lane
     std::vector<std::uint32_t> corners_;   // (block * slot_count + slot) * kLanes + lane, into forces_
     mutable VertexLanes3 forces_;          // corner * faces (padded) + face; the last is 0
 };

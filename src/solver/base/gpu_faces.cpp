@@ -23,7 +23,7 @@ GpuFaces::GpuFaces(const ClothModel& model)
     std::vector<glm::vec4> rests;
     for (const formulas::FaceRest& rest : face_rests(model)) {
         rests.emplace_back(rest.warp_1, rest.warp_2, rest.weft_1, rest.weft_2);
-        rests.emplace_back(rest.area, 0, 0, 0);
+        rests.emplace_back(rest.area, rest.mass_area, 0, 0);
     }
     corners_.upload(in_quads<std::int32_t>(table.corners, table.vertex_count));
     faces_.upload(faces);

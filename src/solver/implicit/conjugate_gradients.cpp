@@ -1,6 +1,8 @@
 // Preconditioned conjugate gradients.
 #include "solver/implicit/conjugate_gradients.h"
 
+#include <algorithm>
+
 namespace nuno {
 
 ConjugateGradients::ConjugateGradients(const SheetRows& rows)
@@ -47,7 +49,7 @@ SolveResult ConjugateGradients::solve(SheetSystem& system, Field3& r, const Fiel
     for (;; ++result.iterations) {
         system.precondition(r, z_, t_, row_rz_, team);
         const double rz = team.sum(row_rz_);
-        if (result.iterations == 0) result.target_sq = limits.error_sq + limits.error_share * rz;
+        if (result.iterations == 0) result.target_sq = limits.error_sq + limits.error_share * std::max(0.0, rz);
         if (!(rz > result.target_sq) || result.iterations == limits.most_iterations) break;
         const auto keep = static_cast<float>(result.iterations == 0 ? 0 : rz / before);
         const auto turn = [&](int j) {

@@ -34,8 +34,10 @@ NUNO_SIMD_CLONES double assemble_pairs(const SheetRows& rows, PairOffset offset,
     RowLanes energy{};
     for (int i = 0; i < rows.width; i += kRowLanes) {
         const std::size_t a = rows.at(i, j), b = rows.at(i + offset.i, j + offset.j);
-        const RowVec u = terms.stiffness_damping > 0 ? row_load(at.v, b) - row_load(at.v, a) : RowVec{};
-        const PairTerms pair = pair_terms(p.springs(a), difference(at, a, b), u, terms);
+        const auto change = [&](const Field3& of) NUNO_WIDE_LAMBDA { return row_load(of, b) - row_load(of, a); };
+        const PairMotion motion{difference(at, a, b), terms.stiffness_damping > 0 ? change(at.v) : RowVec{},
+                                terms.tried ? change(*terms.tried) : RowVec{}};
+        const PairTerms pair = pair_terms(p.springs(a), motion, terms);
         pair.along.store(p.along + a);
         pair.across.store(p.across + a);
         pair.pull.store(p.pull + a);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMostIterations = 100;      // of conjugate gradients in one solve
 constexpr int kMostHalvings = 6;          // of a Newton step
+constexpr float kBearable = 0.25f;        // share of a spring's length over which its direction is good
 constexpr double kEnergyRounding = 1e-5;  // share of a stage's energy that its sum in float may be off
 
 // a += b, with what the sum of two floats leaves out kept in `low` (Knuth's two-sum).
@@ -115,7 +116,7 @@ ImplicitSheet::ImplicitSheet(std::unique_ptr<SheetSystem> system) : system_(std:
 {
     const std::size_t size = system_->rows().size();
     for (SheetMotion* motion : {&now_, &at_, &trial_}) *motion = SheetMotion(size);
-    for (Field3* field : {&goal_, &guess_, &zero_, &air_, &r_, &d_}) *field = Field3(size);
+    for (Field3* field : {&goal_, &guess_, &zero_, &air_, &r_, &d_, &tried_}) *field = Field3(size);
     for (Field* field : {&inertia_, &area_, &mass_}) *field = Field(size);
     row_energy_.resize(std::size_t(system_->rows().rows));
     row_sums_.resize(row_energy_.size());
@@ -142,48 +143,69 @@ void ImplicitSheet::solve_stage(float tau, const StageSettings& settings, const 
     }
 }
 
+// Where the tangent leads to no step that would not make energy, as about springs shorter than the way of a step, those
+// which it moves too far are majorised; where that is not enough, all.
 SolveResult ImplicitSheet::newton_step(float tau, const StageSettings& settings, const Field3* guess,
                                        const SolveLimits& limits, const Team& team)
 {
-    const SheetRows& rows = system_->rows();
-    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
-    system_->assemble(at_, mass_, {tau, settings.stiffness_damping}, r_, row_energy_, team);
-    for_rows(rows, team, [&](int j) {
-        row_energy_[std::size_t(j)] += energy_row(in, at_.v, goal_, 0, at_.v, j);
-        residual_row(in, at_.v, goal_, r_, j);
-    });
-    const double before = team.sum(row_energy_);
-    const SolveResult solved = solver_.solve(*system_, r_, guess, d_, limits, team);
-    take_step(tau, settings, before, solved.target_sq, team);
+    StageTerms terms{.tau = tau, .stiffness_damping = settings.stiffness_damping};
+    const double before = linearise(terms, settings, team), rounding = kEnergyRounding * std::abs(before);
+    SolveResult solved = solver_.solve(*system_, r_, guess, d_, limits, team);
+    bool falls = take_step(terms, settings, before + rounding + solved.target_sq, team);
     if (team.leads()) count(solved);
+    for (const float bearable : {kBearable, 0.0f}) {
+        if (falls) break;
+        for_rows(system_->rows(), team, [&](int j) { copy_row(system_->rows(), d_, tried_, j); });
+        team.wait();
+        terms.tried = &tried_;
+        terms.bearable = bearable;
+        linearise(terms, settings, team);
+        solved = solver_.solve(*system_, r_, nullptr, d_, limits, team);
+        falls = take_step(terms, settings, before + rounding, team);
+        if (team.leads()) count(solved);
+    }
     team.wait();
     return solved;
 }
 
-// at_ += share d_, the share halved until the energy of the stage does not rise.
-void ImplicitSheet::take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team)
+// r_ and the system's matrix at at_; the energy of the stage there.
+double ImplicitSheet::linearise(const StageTerms& terms, const StageSettings& settings, const Team& team)
 {
-    const double most = before + kEnergyRounding * std::abs(before) + slack;
+    const SheetRows& rows = system_->rows();
+    const LoadInputs in{rows, inertia_, area_, air_, settings, terms.tau};
+    system_->assemble(at_, mass_, terms, r_, row_energy_, team);
+    for_rows(rows, team, [&](int j) {
+        row_energy_[std::size_t(j)] += energy_row(in, at_.v, goal_, 0, at_.v, j);
+        residual_row(in, at_.v, goal_, r_, j);
+    });
+    return team.sum(row_energy_);
+}
+
+// at_ += share d_, the share halved until the energy of the stage is `most`; false, and at_ as it was, where it is not.
+bool ImplicitSheet::take_step(const StageTerms& terms, const StageSettings& settings, double most, const Team& team)
+{
     float share = 1;
-    for (int halvings = 0; !(energy_of_step(tau, settings, share, team) <= most) && halvings < kMostHalvings;
-         ++halvings) {
+    bool falls = energy_of_step(terms, settings, share, team) <= most;
+    for (int halvings = 0; !falls && halvings < kMostHalvings; ++halvings) {
         share *= 0.5f;
         team.wait();
+        falls = energy_of_step(terms, settings, share, team) <= most;
     }
     team.wait();
-    if (team.leads()) std::swap(at_, trial_);
+    if (falls && team.leads()) std::swap(at_, trial_);
     team.wait();
+    return falls;
 }
 
 // trial_ = at_ + share d_, and its energy.
-double ImplicitSheet::energy_of_step(float tau, const StageSettings& settings, float share, const Team& team)
+double ImplicitSheet::energy_of_step(const StageTerms& terms, const StageSettings& settings, float share,
+                                     const Team& team)
 {
     const SheetRows& rows = system_->rows();
-    const StageTerms terms{tau, settings.stiffness_damping};
-    const LoadInputs in{rows, inertia_, area_, air_, settings, tau};
+    const LoadInputs in{rows, inertia_, area_, air_, settings, terms.tau};
     const auto move = [&](int j) {
         move_row(rows, at_, share, d_, trial_, j);
-        add_scaled(rows, at_.v, share / tau, d_, trial_.v, j);
+        add_scaled(rows, at_.v, share / terms.tau, d_, trial_.v, j);
     };
     for_rows_in_turn(rows, system_->reach(), team, move, [&](int j) {
         row_energy_[std::size_t(j)] =

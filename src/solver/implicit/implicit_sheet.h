@@ -57,8 +57,9 @@ class ImplicitSheet
     void set_load(float tau, const StageSettings& settings, const Team& team);
     SolveResult newton_step(float tau, const StageSettings& settings, const Field3* guess, const SolveLimits& limits,
                             const Team& team);
-    void take_step(float tau, const StageSettings& settings, double before, double slack, const Team& team);
-    double energy_of_step(float tau, const StageSettings& settings, float share, const Team& team);
+    double linearise(const StageTerms& terms, const StageSettings& settings, const Team& team);
+    bool take_step(const StageTerms& terms, const StageSettings& settings, double most, const Team& team);
+    double energy_of_step(const StageTerms& terms, const StageSettings& settings, float share, const Team& team);
     void count(const SolveResult& solved);
 
     std::unique_ptr<SheetSystem> system_;
@@ -67,7 +68,7 @@ class ImplicitSheet
     Field3 goal_, guess_, zero_;    // w of the stage; first guess of its displacement [m]
     Field inertia_, area_, mass_;
     Field3 air_;
-    Field3 r_, d_;
+    Field3 r_, d_, tried_;
     std::vector<double> row_energy_, row_sums_;
     double load_sq_ = 0;
     SolveCounts counts_;

@@ -54,9 +54,12 @@ NUNO_SIMD_CLONES double assemble_row(const SheetRows& rows, MeshPairs& p, const 
         for (int slot = 0; slot < p.slots_of_row[std::size_t(j)]; ++slot) {
             const std::size_t entry = std::size_t(slot) * p.size + place;
             const std::uint32_t* neighbours = &p.neighbours[entry];
+            const auto change = [&](const Field3& of)
+                                    NUNO_WIDE_LAMBDA { return gather(of, neighbours) - row_load(of, place); };
             const RowVec d = difference(at, place, neighbours);
-            const RowVec u = terms.stiffness_damping > 0 ? gather(at.v, neighbours) - row_load(at.v, place) : RowVec{};
-            const PairTerms pair = pair_terms(springs_at(p, entry), d, u, terms);
+            const PairMotion motion{d, terms.stiffness_damping > 0 ? change(at.v) : RowVec{},
+                                    terms.tried ? change(*terms.tried) : RowVec{}};
+            const PairTerms pair = pair_terms(springs_at(p, entry), motion, terms);
             energy = energy + pair.energy;
             sum = sum + pair.pull * d;
             diagonal = diagonal + row_outer(d, pair.along, max_real(pair.across, -pair.across));

@@ -23,6 +23,11 @@ struct StageTerms
 {
     float tau;                // [s]
     float stiffness_damping;  // beta [s]
+    // Where a step was tried, springs whose ends it moves apart by more than `bearable` of their length are as stiff across
+    // as along: with d0 of length l0 along d at hand, k |d - d0|^2 / 2 is nowhere less than k (|d| - l0)^2 / 2, so that no
+    // solution has more energy than the stage began with (Liu et al., Fast simulation of mass-spring systems, 2013).
+    const Field3* tried = nullptr;  // [m]
+    float bearable = 0;
 };
 
 class SheetSystem

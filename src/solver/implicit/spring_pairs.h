@@ -21,13 +21,23 @@ constexpr float kLeastLengthSq = 1e-24f;
 
 // A pair of length l at rest l0: energy k (l - l0)^2 / 2, force k (1 - l0 / l) d, and of its matrix
 // k [n n^T + max(0, 1 - l0 / l) (I - n n^T)]; the damper beta k n n^T; the plate's share w of linear stiffness.
-// d = x_b - x_a, u = v_b - v_a, which only the damper reads.
-NUNO_WIDE_INLINE PairTerms pair_terms(const PairSprings& s, const RowVec& d, const RowVec& u, const StageTerms& terms)
+// d = x_b - x_a, and the same of the velocity, which only the damper reads, and of the step that was tried, if one was.
+struct PairMotion
+{
+    RowVec d, u, tried;
+};
+
+NUNO_WIDE_INLINE PairTerms pair_terms(const PairSprings& s, const PairMotion& motion, const StageTerms& terms)
 {
     const RowLanes one(1.0f);
+    const RowVec &d = motion.d, &u = motion.u;
     const RowLanes length_sq = max_real(row_dot(d, d), RowLanes(kLeastLengthSq)), length = sqrt_real(length_sq);
-    const RowLanes inverse = one / length, inverse_sq = inverse * inverse;
-    const RowLanes taut = s.axial * min_real(one, s.rest_length * inverse), stretch = length - s.rest_length;
+    const RowLanes inverse = one / length, inverse_sq = inverse * inverse, stretch = length - s.rest_length;
+    RowLanes taut = s.axial * min_real(one, s.rest_length * inverse);
+    if (terms.tried) {
+        const RowLanes bearable_sq = RowLanes(terms.bearable * terms.bearable) * length_sq;
+        taut = select_positive(row_dot(motion.tried, motion.tried) - bearable_sq, RowLanes{}, taut);
+    }
     PairTerms pair{.along = taut * inverse_sq,
                    .across = s.plate + (s.axial - taut),
                    .pull = s.axial * stretch * inverse + s.plate,
