@@ -1,53 +1,29 @@
-// The search for a setting.
+// The choice of a setting, and its ladder.
 #include "study/auto_choice.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "core/error.h"
+#include "study/auto_search.h"
 #include "study/doubling_error.h"
-#include "study/trade_settings.h"
 
 namespace nuno {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Frames that tell what a setting costs at the start, and runs of them.
-constexpr int kProbeFrames = 3, kProbeRuns = 3;
-constexpr double kProbeMs = 200;
-// A setting slower than this a simulated second is given up.
-constexpr double kMostMs = 20000;
-// How long the frames of a scene may take that tell what a setting costs later on [ms].
-constexpr double kLongMs = 4000;
-// A dearer start than this many times the best cost is not looked at: probes are a little uncertain.
-constexpr double kProbeTrust = 1.3;
 // What is aimed at, of the goal: another start of the same scene is about so much off, and so are times.
 constexpr double kAim = 0.9;
-// What a run may have to go up to is looked for down to this share of the error asked for; a rung of a ladder has at most
-// this share of the error of the one before.
-constexpr double kFinerShare = 0.2, kRungShare = 0.8;
+// What a run may have to go up to is looked for down to this share of the error asked for.
+constexpr double kFinerShare = 0.2;
 // Estimates that the mean of a setting is of.
 constexpr int kDoublings = 8;
 
-struct Candidate
-{
-    Setting set;
-    double probe_ms = 0;  // of a frame at the start, without self-collision; infinite where it goes bad
-};
-
 std::string_view level_name(CollisionLevel level) { return choice_names(CollisionLevel{})[std::size_t(level)]; }
-
-// The result of a point, measured where the store lacks it.
-const Json& stored(PointStore& store, const std::string& id, const std::function<Json()>& measure)
-{
-    if (!store.holds(id)) store.add(id, measure());
-    return store.results().at(id);
-}
 
 // The scene's class, and whether layers come near each other at any time of its run.
 Json describe(SceneStudy& study)
@@ -56,99 +32,6 @@ Json describe(SceneStudy& study)
     SimParams probe = study.asked_params();
     about["meets"] = probe.collision != CollisionLevel::none && layers_meet(study.scene(), probe, long_frames(study));
     return about;
-}
-
-std::vector<Candidate> candidates_by_cost(SceneStudy& study, PointStore& store)
-{
-    const SimParams& asked = study.asked_params();
-    SimParams bare = asked;
-    bare.collision = CollisionLevel::none;
-    const ClothModel model = build_cloth_model(make_sheets(study.scene(), asked), asked.mass_lumping);
-    std::vector<Candidate> candidates;
-    for (Setting& setting : settings_in_time(model, study.scene().bodies, asked)) {
-        const Json& probe = stored(store, "probe/" + setting_text(setting), [&]() -> Json {
-            try {
-                const SimParams params = with_setting(bare, setting);
-                return {
-                    {"ms", least_frames_ms(study.scene(), params, kProbeFrames, kProbeRuns, kProbeMs) / kProbeFrames}};
-            } catch (const Error& error) {
-                if (error.code() != ExitCode::went_bad) throw;
-                return {{"failure", error.what()}};
-            }
-        });
-        if (probe.contains("ms")) candidates.push_back({std::move(setting), probe["ms"]});
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.probe_ms < b.probe_ms; });
-    return candidates;
-}
-
-// Error over the horizon; cost of a frame of the whole scene, with self-collision. Neither where the run did not get to
-// its end.
-Json measure(SceneStudy& study, const Setting& setting, CollisionLevel level)
-{
-    const int frames = study.scene_class().frames;
-    const Trajectory run = run_trajectory(study.scene(), with_setting(study.params(), setting), frames, kMostMs);
-    Json result{{"substeps", run.substeps}};
-    if (run.frames() < frames) return result["failure"] = run.too_slow ? "too slow" : run.failure, result;
-    SimParams whole = with_setting(study.asked_params(), setting);
-    whole.collision = level;
-    const Trajectory later = run_trajectory(study.scene(), whole, long_frames(study), {}, kLongMs);
-    if (!later.failure.empty()) return result["failure"] = later.failure, result;
-    result["error_share"] = error_against(run, study.reference(), frames).rms_m / study.scene_class().size_m;
-    result["ms_per_frame"] = later.median_ms();
-    result["largest_strain"] = later.largest_strain;
-    return result;
-}
-
-// How far from the goal, for choosing among settings that do not keep it.
-double excess(const AutoGoal& goal, double error_share, double ms)
-{
-    return goal.error_share ? error_share / *goal.error_share : ms / *goal.budget_ms;
-}
-
-bool is_better(const AutoGoal& goal, const AutoChoice& best, double error_share, double ms)
-{
-    if (best.rung.empty()) return true;
-    const bool kept = goal.is_kept_by(error_share, ms);
-    if (kept != best.is_kept) return kept;
-    if (!kept) return excess(goal, error_share, ms) < excess(goal, best.error_share, best.ms_per_frame);
-    return goal.error_share ? ms < best.ms_per_frame : error_share < best.error_share;
-}
-
-AutoGoal share_of(AutoGoal goal, double share)
-{
-    if (goal.error_share) *goal.error_share *= share;
-    if (goal.budget_ms) *goal.budget_ms *= share;
-    return goal;
-}
-
-// Looks for the best by rising cost until no cheaper one is left. All that ran to their end, on the way.
-std::vector<Rung> search(SceneStudy& study, const AutoGoal& goal, CollisionLevel level, PointStore& store,
-                         const SweepProgress& progress, AutoChoice& best)
-{
-    const std::vector<Candidate> candidates = candidates_by_cost(study, store);
-    std::vector<Rung> seen;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const Candidate& candidate = candidates[i];
-        const double most = goal.budget_ms ? *goal.budget_ms : best.ms_per_frame;
-        if ((goal.budget_ms || best.is_kept) && !best.rung.empty() && candidate.probe_ms > kProbeTrust * most) break;
-        if (!progress(i, candidates.size())) break;
-        const std::string id = setting_text(candidate.set);
-        best.known += store.holds(id);
-        best.tried += !store.holds(id);
-        const Json& result = stored(store, id, [&] { return measure(study, candidate.set, level); });
-        if (!result.contains("error_share")) continue;
-        const double error = result["error_share"], ms = result["ms_per_frame"];
-        seen.push_back({candidate.set, result["substeps"], error, ms, result["largest_strain"]});
-        if (!is_better(goal, best, error, ms)) continue;
-        best.rung = candidate.set;
-        best.substeps = result["substeps"];
-        best.error_share = error;
-        best.ms_per_frame = ms;
-        best.is_kept = goal.is_kept_by(error, ms);
-    }
-    return seen;
 }
 
 // Those that nothing is both cheaper and more exact than, each clearly more exact than the one before; `chosen` is kept.
@@ -242,10 +125,19 @@ AutoChoice choose_setting(SceneStudy& study, const AutoGoal& goal, PointStore& s
     const SimParams& asked = study.asked_params();
     const Json about = stored(store, "scene", [&] { return describe(study); });
     const CollisionLevel level = about.at("meets").get<bool>() ? asked.collision : CollisionLevel::none;
+    Search search(study, store, level, progress);
+    const std::optional<Rung> rung = goal.error_share ? search.cheapest_within(kAim * *goal.error_share)
+                                                      : search.most_exact_within(kAim * *goal.budget_ms);
     AutoChoice best;
-    search(study, share_of(goal, kAim), level, store, progress, best);
-    best.is_kept = !best.rung.empty() && goal.is_kept_by(best.error_share, best.ms_per_frame);
-    best.set = best.rung;
+    best.tried = search.tried();
+    best.known = search.known();
+    if (rung) {
+        best.set = best.rung = rung->set;
+        best.substeps = rung->substeps;
+        best.error_share = rung->error_share;
+        best.ms_per_frame = rung->ms_per_frame;
+        best.is_kept = goal.is_kept_by(best.error_share, best.ms_per_frame);
+    }
     if (level != asked.collision && !best.set.empty()) best.set.emplace_back("collision", level_name(level));
     if (!best.set.empty()) best.set.emplace_back("backend", "cpu");
     best.horizon = study.scene_class();
@@ -261,9 +153,13 @@ std::vector<Rung> ladder_around(SceneStudy& study, const AutoGoal& goal, const A
     if (choice.rung.empty()) return {};
     const bool meets = stored(store, "scene", [&] { return describe(study); }).at("meets");
     const CollisionLevel level = meets ? study.asked_params().collision : CollisionLevel::none;
-    const AutoGoal finer = goal.error_share ? share_of(goal, kFinerShare) : goal;
-    AutoChoice finest;
-    std::vector<Rung> ladder = frontier(search(study, finer, level, store, progress, finest), choice.rung);
+    Search search(study, store, level, progress);
+    if (goal.error_share)
+        search.cheapest_within(kFinerShare * *goal.error_share);
+    else
+        search.most_exact_within(kAim * *goal.budget_ms);
+    const double most_ms = goal.budget_ms ? kForecastTrust * *goal.budget_ms : std::numeric_limits<double>::infinity();
+    std::vector<Rung> ladder = frontier(search.rungs(most_ms, choice.rung), choice.rung);
     if (!goal.error_share) return ladder;
     for (Rung& rung : ladder) {
         const Json& result = stored(store, "doubling/" + setting_text(rung.set), [&] {

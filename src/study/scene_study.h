@@ -49,6 +49,8 @@ class SceneStudy
   private:
     void classify();
     void find_horizon();
+    // Runs it; its parameters. Error where it goes bad, and a finer one as well.
+    SimParams find_reference();
 
     Scene scene_;
     SimParams params_, base_;
@@ -60,7 +62,8 @@ class SceneStudy
 // Frames of the whole scene: up to its end check, or some seconds.
 int long_frames(const SceneStudy& study);
 
-// Whether layers come near each other in these frames, as a quick run foresees it; the first such frame, or 0.
+// Whether layers come near each other in these frames, as a quick run foresees it; the first such frame, or 0. Where that
+// goes bad another with method and substeps of nuno's choice is made; where that does too, the frame counts as one.
 int layers_meet(const Scene& scene, SimParams params, int frames);
 
 // The longest side of a sheet at rest [m].

@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "study/auto_choice.h"
+#include "study/auto_cost.h"
 #include "support/program_run.h"
 
 namespace nuno {
@@ -95,6 +99,91 @@ TEST(Auto, leaves_out_self_collision_where_layers_do_not_meet)
     const AutoChoice choice = choose_setting(study, auto_goal(10.0, {}), store, go_on);
     EXPECT_THAT(choice.set, testing::Contains(std::pair<std::string, std::string>("collision", "none")));
     EXPECT_THAT(choice.given_up, testing::Contains(HasSubstr("self-collision, discrete")));
+}
+
+// No frame takes no time, and none an hour; so half of the frames say that it is dearer.
+TEST(SceneCost, is_of_all_frames_unless_half_of_them_are_dearer)
+{
+    Scene scene = load_scene("seed");
+    SimParams params = scene.params;
+    params.resolution = 9;
+    params.threads = 1;
+    params.backend = Backend::cpu;
+    const SceneCost whole = scene_cost(scene, params, 21);
+    EXPECT_FALSE(whole.is_dearer);
+    EXPECT_GT(whole.ms_per_frame, 0);
+    const SceneCost within = scene_cost(scene, params, 21, 3.6e6);
+    EXPECT_FALSE(within.is_dearer);
+    EXPECT_EQ(within.largest_strain, whole.largest_strain) << "over the same frames";
+    const SceneCost over = scene_cost(scene, params, 21, 0);
+    EXPECT_TRUE(over.is_dearer);
+    EXPECT_GT(over.ms_per_frame, 0);
+    EXPECT_EQ(over.largest_strain, scene_cost(scene, params, 11).largest_strain) << "it ends with the eleventh";
+    EXPECT_LT(over.largest_strain, whole.largest_strain);
+}
+
+// Layers of the seed's cloth meet long after its horizon.
+TEST(Auto, costs_are_of_the_whole_scene_with_the_frames_in_which_layers_meet)
+{
+    const TemporaryDirectory directory;
+    SceneStudy study = small_study("fold", 90);
+    PointStore store(directory.path(), {{"study", "auto"}});
+    const AutoChoice choice = choose_setting(study, auto_goal(10.0, {}), store, go_on);
+    EXPECT_TRUE(choice.is_kept);
+    ASSERT_GT(layers_meet(study.scene(), study.asked_params(), 90), choice.horizon.frames);
+    for (const auto& [name, value] : choice.set) EXPECT_NE(name, "collision");
+    SimParams params = with_setting(study.asked_params(), choice.rung);
+    EXPECT_EQ(store.results().at("cost/" + setting_text(choice.rung)).at("largest_strain").get<double>(),
+              scene_cost(study.scene(), params, 90).largest_strain);
+}
+
+// What a scene asks for may not hold; what is chosen does.
+TEST(Auto, looks_at_a_scene_that_goes_bad_with_its_own_setting)
+{
+    const TemporaryDirectory directory;
+    Scene scene = load_scene("seed");
+    SimParams params = scene.params;
+    params.resolution = 9;
+    params.threads = 1;
+    params.method = Method::symplectic_euler;
+    params.substeps = 1;
+    scene.check.frames = 60;
+    SceneStudy study(scene, params);
+    ASSERT_NE(scene_cost(scene, study.asked_params(), 60).failure, "");
+    PointStore store(directory.path(), {{"study", "auto"}});
+    const AutoChoice choice = choose_setting(study, auto_goal(10.0, {}), store, go_on);
+    EXPECT_TRUE(choice.is_kept);
+    EXPECT_EQ(scene_cost(scene, with_setting(study.asked_params(), choice.rung), 60).failure, "");
+}
+
+TEST(Auto, says_what_to_change_where_no_converged_run_is_finite)
+{
+    const TemporaryDirectory directory;
+    const auto scene = directory.write("lost.toml",
+                                       "[params]\ncollision = \"none\"\n[[handle]]\nname = \"away\"\n"
+                                       "keyframes = [{ time = 0.1 }, { time = 0.2, move = [1e6, 1.0, 0.0] }]\n"
+                                       "[[sheet]]\ncolumns = 5\nhandles = [{ name = \"away\", pins = [\"top\"] }]\n");
+    const ProgramResult lost = run_program({"auto", scene.string(), "--error", "3", "--quiet"},
+                                           {"XDG_CACHE_HOME=" + directory.path().string()});
+    EXPECT_EQ(lost.exit_code, 3) << lost.err;
+    EXPECT_THAT(lost.err, HasSubstr("frame "));
+    EXPECT_THAT(lost.err, HasSubstr("without it no error can be told; softer springs, less load"));
+}
+
+// A scene that jitters its start by half a millimetre is held against that start shifted by a millionth of a metre.
+TEST(SceneStudy, jitter_of_the_scene_is_no_doubt_in_its_errors)
+{
+    const auto class_of = [](int seed, float jitter) {
+        SceneStudy study = small_study("seed", 20);
+        SimParams params = study.asked_params();
+        params.seed = seed;
+        params.jitter = jitter;
+        return SceneStudy(study.scene(), params).scene_class();
+    };
+    const SceneClass plain = class_of(0, 0), jittered = class_of(std::numeric_limits<std::int32_t>::max(), 5e-4f);
+    EXPECT_GT(plain.doubt_share, 0);
+    EXPECT_LT(jittered.doubt_share, 2 * plain.doubt_share);
+    EXPECT_GE(jittered.frames, plain.frames / 2);
 }
 
 TEST(Auto, the_command_prints_words_that_render_takes)
