@@ -13,21 +13,32 @@ struct Substep
     Method method;
 };
 
-// One substep of the vertices of blocks.begin .. blocks.end.
-NUNO_SIMD_CLONES void substep_blocks(const Substep& s, Range blocks)
+// One substep of the vertices of blocks.begin .. blocks.end; what scenes without bodies or dampers leave out is not there.
+template <bool kBodies, bool kDamped>
+NUNO_WIDE_INLINE void substep_with(const Substep& s, Range blocks)
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const std::int32_t i = block * kLanes;
         const WideVec3 x = load(s.forces.x, i), v = load(s.forces.v, i);
-        const WideVec3 a = acceleration_of_block(s.forces, block, x, v);
+        const WideVec3 a = acceleration_of_block<kDamped>(s.forces, block, x, v);
         const formulas_wide::Motion free = s.method == Method::explicit_euler
                                                ? formulas_wide::explicit_euler(x, v, a, WideFloat(s.h))
                                                : formulas_wide::symplectic_euler(x, v, a, WideFloat(s.h));
-        const formulas_wide::Motion held = push_out_of_bodies<kLanes>(s.bodies, x, free).motion;
+        formulas_wide::Motion held = free;
+        if constexpr (kBodies) held = push_out_of_bodies<kLanes>(s.bodies, x, free).motion;
         const WideFloat inverse_mass(s.forces.inverse_mass + i);
         store(s.new_x, i, select_positive(inverse_mass, held.position, free.position));
         store(s.new_v, i, select_positive(inverse_mass, held.velocity, free.velocity));
     }
+}
+
+NUNO_SIMD_CLONES void substep_blocks(const Substep& s, Range blocks)
+{
+    const bool damped = s.forces.stiffness_damping > 0;
+    if (s.bodies.bodies.empty())
+        damped ? substep_with<false, true>(s, blocks) : substep_with<false, false>(s, blocks);
+    else
+        damped ? substep_with<true, true>(s, blocks) : substep_with<true, false>(s, blocks);
 }
 
 }  // namespace

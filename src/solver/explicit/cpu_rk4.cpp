@@ -23,21 +23,24 @@ namespace {
 
 using F = formulas_wide;
 
+template <bool kBodies>
 NUNO_WIDE_INLINE F::Motion end_of_substep(const Rk4Stage& s, const F::Motion& start, const F::Motion& sum,
                                           std::int32_t i)
 {
     const F::Motion free = F::rk4_end(start, sum, WideFloat(s.h));
-    const F::Motion held = push_out_of_bodies<kLanes>(s.bodies, start.position, free).motion;
+    F::Motion held = free;
+    if constexpr (kBodies) held = push_out_of_bodies<kLanes>(s.bodies, start.position, free).motion;
     return F::select_motion(WideFloat(s.forces.inverse_mass + i), held, free);
 }
 
-NUNO_SIMD_CLONES void stage_blocks(const Rk4Stage& s, Range blocks)
+template <bool kBodies, bool kDamped>
+NUNO_WIDE_INLINE void stage_with(const Rk4Stage& s, Range blocks)
 {
     const WideFloat weight(s.weight()), next_step(s.next_step());
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const std::int32_t i = block * kLanes;
         const WideVec3 v = load(s.forces.v, i);
-        const WideVec3 a = acceleration_of_block(s.forces, block, load(s.forces.x, i), v);
+        const WideVec3 a = acceleration_of_block<kDamped>(s.forces, block, load(s.forces.x, i), v);
         const F::Motion start = F::motion(load(s.start_x, i), load(s.start_v, i));
         const F::Motion before =
             s.number == 0 ? F::motion(WideVec3(0.0f), WideVec3(0.0f)) : F::motion(load(s.sum_v, i), load(s.sum_a, i));
@@ -45,10 +48,19 @@ NUNO_SIMD_CLONES void stage_blocks(const Rk4Stage& s, Range blocks)
         store(s.sum_v, i, sum.position);
         store(s.sum_a, i, sum.velocity);
         const F::Motion next =
-            s.number + 1 < kStages ? F::rk4_stage(start, v, a, next_step) : end_of_substep(s, start, sum, i);
+            s.number + 1 < kStages ? F::rk4_stage(start, v, a, next_step) : end_of_substep<kBodies>(s, start, sum, i);
         store(s.next_x, i, next.position);
         store(s.next_v, i, next.velocity);
     }
+}
+
+NUNO_SIMD_CLONES void stage_blocks(const Rk4Stage& s, Range blocks)
+{
+    const bool damped = s.forces.stiffness_damping > 0;
+    if (s.bodies.bodies.empty())
+        damped ? stage_with<false, true>(s, blocks) : stage_with<false, false>(s, blocks);
+    else
+        damped ? stage_with<true, true>(s, blocks) : stage_with<true, false>(s, blocks);
 }
 
 }  // namespace

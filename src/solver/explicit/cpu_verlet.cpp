@@ -18,14 +18,15 @@ struct VerletPass
 
 namespace {
 
-NUNO_SIMD_CLONES void pass_over_blocks(const VerletPass& p, Range blocks)
+template <bool kBodies, bool kDamped>
+NUNO_WIDE_INLINE void pass_with(const VerletPass& p, Range blocks)
 {
     for (int block = blocks.begin; block < blocks.end; ++block) {
         const std::int32_t i = block * kLanes;
         const WideVec3 x = load(p.forces.x, i);
         WideVec3 v = load(p.v, i), a = load(p.a, i);
         if (p.kicks) {
-            a = acceleration_of_block(p.forces, block, x, load(p.forces.v, i));
+            a = acceleration_of_block<kDamped>(p.forces, block, x, load(p.forces.v, i));
             v = formulas_wide::verlet_kick(v, a, WideFloat(p.kick_s));
             store(p.a, i, a);
         }
@@ -34,13 +35,23 @@ NUNO_SIMD_CLONES void pass_over_blocks(const VerletPass& p, Range blocks)
             continue;
         }
         const formulas_wide::Motion free = formulas_wide::verlet_drift(x, v, a, WideFloat(p.h));
-        const formulas_wide::Motion held = push_out_of_bodies<kLanes>(p.bodies, x, free).motion;
+        formulas_wide::Motion held = free;
+        if constexpr (kBodies) held = push_out_of_bodies<kLanes>(p.bodies, x, free).motion;
         const WideFloat inverse_mass(p.forces.inverse_mass + i);
         const WideVec3 v_half = select_positive(inverse_mass, held.velocity, free.velocity);
         store(p.new_x, i, select_positive(inverse_mass, held.position, free.position));
         store(p.new_v, i, v_half);
         store(p.new_predicted, i, formulas_wide::verlet_kick(v_half, a, WideFloat(0.5f * p.h)));
     }
+}
+
+NUNO_SIMD_CLONES void pass_over_blocks(const VerletPass& p, Range blocks)
+{
+    const bool damped = p.forces.stiffness_damping > 0;
+    if (p.bodies.bodies.empty())
+        damped ? pass_with<false, true>(p, blocks) : pass_with<false, false>(p, blocks);
+    else
+        damped ? pass_with<true, true>(p, blocks) : pass_with<true, false>(p, blocks);
 }
 
 }  // namespace

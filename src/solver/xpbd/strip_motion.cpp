@@ -35,6 +35,7 @@ struct Kernel : StripLane<kLaneCount>
                 Formulas::motion(load(s.last_positions + at), load(s.last_velocities + at))};
     }
 
+    template <bool kBodies>
     static NUNO_WIDE_INLINE void predict(const StripMotion& s, std::size_t vector, std::size_t at, int lane,
                                          const Past& past)
     {
@@ -44,7 +45,7 @@ struct Kernel : StripLane<kLaneCount>
                                               Real(s.times.step));
         store(s.last_positions + at, start.position);
         store(s.last_velocities + at, start.velocity);
-        if (s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, start.position, m).motion;
+        if (kBodies && s.bodies) m = push_out_of_bodies<kLaneCount>(*s.bodies, start.position, m).motion;
         m = Formulas::select_motion(mobility, m, start);
         store(s.velocities + at, m.velocity);
         store(s.predicted + at, m.position);
@@ -56,6 +57,7 @@ struct Kernel : StripLane<kLaneCount>
         store(s.positions + at, select_positive(mobility, m.position, start.position));
     }
 
+    template <bool kBodies>
     static NUNO_WIDE_INLINE Past finish(const StripMotion& s, std::size_t vector, std::size_t at, int lane)
     {
         const Real mobility(s.mobility + vector * kStrips + lane);
@@ -63,7 +65,7 @@ struct Kernel : StripLane<kLaneCount>
         const Vec3 x = past.now.position, v = past.now.velocity;
         const Vec3 end = Formulas::corrected_velocity(v, load(s.predicted + at), x, Real(s.times.per_step));
         typename Formulas::Contact contact = Formulas::free_of_contact(Formulas::motion(x, end));
-        if (s.last_bodies && push_out_of_bodies<kLaneCount>(*s.last_bodies, past.last.position, contact))
+        if (kBodies && s.last_bodies && push_out_of_bodies<kLaneCount>(*s.last_bodies, past.last.position, contact))
             past.last = Formulas::last_after_contact(past.last, contact.motion, end, acceleration(s, s.last_common, at),
                                                      Real(s.times.h));
         if (s.sticking)
@@ -72,8 +74,8 @@ struct Kernel : StripLane<kLaneCount>
         return past;
     }
 
-    template <bool kFinish, bool kPredict>
-    static NUNO_WIDE_INLINE void rows(const StripMotion& s, Range rows)
+    template <bool kFinish, bool kPredict, bool kBodies>
+    static NUNO_WIDE_INLINE void rows_with(const StripMotion& s, Range rows)
     {
         const StripLayout& layout = *s.layout;
         for (int j = rows.begin; j < rows.end; ++j)
@@ -82,12 +84,21 @@ struct Kernel : StripLane<kLaneCount>
                     const std::size_t vector = std::size_t(j) * std::size_t(layout.width) + std::size_t(c);
                     const std::size_t at =
                         std::size_t(j) * std::size_t(layout.row_floats) + std::size_t(c * kVec3Floats + lane);
-                    const Past past = kFinish ? finish(s, vector, at, lane) : Kernel::past(s, at);
+                    const Past past = kFinish ? finish<kBodies>(s, vector, at, lane) : Kernel::past(s, at);
                     if (kPredict)
-                        predict(s, vector, at, lane, past);
+                        predict<kBodies>(s, vector, at, lane, past);
                     else
                         put(s, at, past);
                 }
+    }
+
+    template <bool kFinish, bool kPredict>
+    static NUNO_WIDE_INLINE void rows(const StripMotion& s, Range rows)
+    {
+        if (s.bodies || s.last_bodies)
+            rows_with<kFinish, kPredict, true>(s, rows);
+        else
+            rows_with<kFinish, kPredict, false>(s, rows);
     }
 
     static NUNO_WIDE_INLINE void put(const StripMotion& s, std::size_t at, const Past& past)
