@@ -2,10 +2,10 @@
 # What a feature that is off costs: nuno against the same program from whose sources the feature is cut out.
 #     bench/feature_off.py                     instructions, exact to a few in a million on any machine
 #     bench/feature_off.py --rounds 15         wall times too, in turns; for a machine that is quiet
-# A cut is a few replacements in copies of source files, in a temporary folder that comes before src in the include path.
-# The files that it changes are compiled as the build folder compiles them, with the cut and without, and linked ahead of
-# the libraries. Both have the feature off, so they must end in the same state; the script ends with 1 where they do not.
-# `noise` is the program without a cut against itself, run twice. Instructions are those of valgrind's callgrind.
+# A cut is a few replacements in copies of source files, in a temporary folder that stands before src among includes.
+# The files that it changes are compiled as the build folder compiles them, with the cut and without, and linked ahead
+# of the libraries. Both have the feature off, so they must end in the same state; the script ends with 1 where they do
+# not. `noise` is the program without a cut against itself, run twice. Instructions are those of valgrind's callgrind.
 import argparse
 import json
 import pathlib
@@ -93,8 +93,7 @@ def done(words, what, folder=None):
 class Builder:
     def __init__(self, build, folder):
         self.build, self.folder = build, folder
-        if "no work to do" not in done(["ninja", "-n", "nuno"], "ninja", build)[0]:
-            sys.exit(f"feature_off: {build} is older than the sources; run ninja there first")
+        done(["ninja", "nuno"], "ninja", build)
         rows = json.loads((build / "compile_commands.json").read_text())
         self.commands = {row["file"]: row["command"] for row in rows}
         lines = done(["ninja", "-t", "commands", "nuno"], "ninja", build)[0].splitlines()
@@ -126,7 +125,7 @@ class Builder:
 
     def compile(self, folder, file):
         words = shlex.split(self.commands[str(ROOT / file)])
-        words = words[words.index(next(w for w in words if w.startswith("-I"))) - 1:]  # without a launcher
+        words = words[1:] if words[0].endswith("ccache") else words
         out = folder / (pathlib.Path(file).name + ".o")
         words[words.index("-o") + 1] = str(out)
         if (folder / file).exists():
