@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "app/auto_ladder.h"
 #include "app/auto_memory.h"
 #include "app/interrupt.h"
 #include "app/sweep_flags.h"
@@ -26,31 +25,23 @@ void refuse_chosen(const CommonFlags& flags)
                "it is chosen for the error or budget");
 }
 
-struct Choice
+// Measures and chooses; what was measured before on this machine is remembered. `forget`: measures all anew. `ladder`,
+// where not null, gets what a run can move on.
+AutoChoice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget, MeasuredLadder* ladder)
 {
-    AutoChoice best;
-    std::vector<Rung> ladder;  // where asked for
-};
-
-// Measures and chooses; what was measured before on this machine is remembered. `forget`: measures all anew.
-Choice choose_for(const SceneRun& run, const AutoGoal& goal, bool quiet, bool forget, bool with_ladder)
-{
-    SceneStudy study(run.scene, run.params);
-    const Json header = memory_header(run, study);
-    PointStore store(memory_directory(header), header, forget ? FormerPoints::drop : FormerPoints::keep_own);
+    const auto leave = [] {
+        if (interrupted()) throw Error("auto: interrupted; what was measured is remembered", ExitCode::interrupted);
+    };
+    const SweepProgress progress = InterruptibleProgress("auto", quiet);
+    SceneStudy study(run.scene, run.params, leave);
+    PointStore store(memory_directory(study), memory_header(study),
+                     forget ? FormerPoints::drop : FormerPoints::keep_own);
     if (store.dropped_others() && !quiet)
         fmt::print(stderr, "auto: what is remembered is of another program, mesh or machine; measured anew\n");
-    const SweepProgress progress = InterruptibleProgress("auto", quiet);
-    Choice choice{choose_setting(study, goal, store, progress), {}};
-    if (with_ladder && !interrupted()) choice.ladder = ladder_around(study, goal, choice.best, store, progress);
-    if (interrupted()) throw Error("auto: interrupted; what was measured is remembered", ExitCode::interrupted);
+    AutoChoice choice = choose_setting(study, goal, store, progress);
+    if (ladder != nullptr) *ladder = measure_ladder(study, run.params, goal, choice, store, progress);
+    leave();
     return choice;
-}
-
-// From when on a broken promise of an error is not held against a run; 0: never.
-int foretold_frames(const SceneClass& horizon)
-{
-    return horizon.is_chaotic || horizon.first_contact > 0 ? horizon.frames : 0;
 }
 
 }  // namespace
@@ -61,19 +52,24 @@ void add_promise_flags(CLI::App& command, PromiseFlags& flags)
     command.add_option("--budget-ms", flags.budget_ms, "Largest cost of a frame, milliseconds");
 }
 
-std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run,
-                                             std::optional<int> frames)
+std::optional<AutoGoal> promised_goal(const PromiseFlags& flags, const CommonFlags& common)
 {
-    if (!flags.is_given()) return nullptr;
+    if (!flags.is_given()) return std::nullopt;
     refuse_chosen(common);
+    return auto_goal(flags.error_percent, flags.budget_ms);
+}
+
+std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run,
+                                             int frames)
+{
+    const std::optional<AutoGoal> goal = promised_goal(flags, common);
+    if (!goal) return nullptr;
     const bool quiet = common.quiet;
-    const AutoGoal goal = auto_goal(flags.error_percent, flags.budget_ms);
-    Choice found = choose_for(run, goal, quiet, false, true);
-    AutoChoice& choice = found.best;
-    if (!frames || *frames - 1 > choice.frames_looked_at)
+    MeasuredLadder ladder;
+    AutoChoice choice = choose_for(run, *goal, quiet, false, &ladder);
+    if (frames - 1 > choice.frames_looked_at)
         std::erase_if(choice.set, [](const auto& word) { return word.first == "collision"; });
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
-    const SimParams base = run.params;
     run.params = with_setting(run.params, choice.set);
     run.check_applies = false;
     if (!quiet) fmt::print(stderr, "{}: {}\n", run.scene.name, setting_text(choice.set, "--set "));
@@ -81,10 +77,7 @@ std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const Co
         for (const std::string& sentence : choice.given_up)
             fmt::print(stderr, "{}: given up: {}\n", run.scene.name, sentence);
     if (!choice.is_kept) fmt::print(stderr, "nuno: {}{}\n", run.scene.name, kNotKept);
-    const auto own = std::find_if(found.ladder.begin(), found.ladder.end(),
-                                  [&](const Rung& rung) { return rung.set == choice.rung; });
-    const auto rung = static_cast<std::size_t>(own - found.ladder.begin());
-    return std::make_shared<PromiseKeeper>(goal, std::move(found.ladder), rung, base, foretold_frames(choice.horizon));
+    return std::make_shared<PromiseKeeper>(ladder.keeper());
 }
 
 void add_auto_flags(CLI::App& command, AutoFlags& flags)
@@ -101,7 +94,7 @@ int run_auto(const AutoFlags& flags)
     refuse_chosen(flags.common);
     const SceneRun run = prepare_run(flags.common, flags.common.scene);
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
-    const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget, false).best;
+    const AutoChoice choice = choose_for(run, goal, flags.common.quiet, flags.forget, nullptr);
     if (choice.set.empty()) throw Error(run.scene.name + kNothingRan, ExitCode::went_bad);
     fmt::print("{}\n", setting_text(choice.set, "--set "));
     fmt::print("error {:.2g} % of the size of the cloth, {:.3g} ms a frame; {} settings measured, {} remembered\n",

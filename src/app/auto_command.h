@@ -21,11 +21,13 @@ struct PromiseFlags
 
 void add_promise_flags(CLI::App& command, PromiseFlags& flags);
 
+// None where none is given. Error where it is no goal, or a setting that is chosen for it is set as well.
+std::optional<AutoGoal> promised_goal(const PromiseFlags& flags, const CommonFlags& common);
+
 // Sets what `nuno auto` chooses for the run, and tells it on stderr. What keeps the promise from then on, as the run goes
-// on; none where none is given. Self-collision is left out only from a run of no more frames than were looked at; without
-// `frames` it may be of any length.
+// on; none where none is given. Self-collision is left out only from a run of no more frames than were looked at.
 std::shared_ptr<PromiseKeeper> apply_promise(const PromiseFlags& flags, const CommonFlags& common, SceneRun& run,
-                                             std::optional<int> frames);
+                                             int frames);
 
 struct AutoFlags
 {

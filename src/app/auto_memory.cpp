@@ -43,6 +43,9 @@ std::string hash_of_meshes(const Scene& scene, const SimParams& params)
     return fmt::format("{:016x}", hash.value());
 }
 
+std::string scene_text(const SceneStudy& study) { return read_text(study.scene().path); }
+Json study_params(const SceneStudy& study) { return params_json(sim_param_table(), &study.asked_params()); }
+
 // Two builds of a tree with changes have one version.
 std::string program_text()
 {
@@ -54,20 +57,20 @@ std::string program_text()
 
 }  // namespace
 
-Json memory_header(const SceneRun& run, const SceneStudy& study)
+Json memory_header(const SceneStudy& study)
 {
-    const int threads = ThreadPool(run.params.threads).thread_count();
+    const int threads = ThreadPool(study.asked_params().threads).thread_count();
     return {{"study", "auto"},
             {"version", program_text()},
             {"machine", {{"cpu", cpu_name()}, {"threads", threads}}},
-            {"scene", read_text(run.scene.path)},
-            {"meshes", hash_of_meshes(run.scene, study.asked_params())},
-            {"params", params_json(sim_param_table(), &study.asked_params())}};
+            {"scene", scene_text(study)},
+            {"meshes", hash_of_meshes(study.scene(), study.asked_params())},
+            {"params", study_params(study)}};
 }
 
-fs::path memory_directory(const Json& header)
+fs::path memory_directory(const SceneStudy& study)
 {
-    const std::string name = hash_of_text(header.at("scene").dump() + header.at("params").dump());
+    const std::string name = hash_of_text(Json(scene_text(study)).dump() + study_params(study).dump());
     const char* cache = std::getenv("XDG_CACHE_HOME");
     if (cache != nullptr && *cache != 0) return fs::path(cache) / "nuno/auto" / name;
     const char* home = std::getenv("HOME");

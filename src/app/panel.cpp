@@ -100,6 +100,7 @@ PanelRequests Panel::draw_side(ViewerSession& session)
     ImGui::TextUnformatted(state.c_str());
     ImGui::Spacing();
     ImGui::BeginChild("parameters");
+    draw_trade_slider(session, log_);
     draw_parameters(session);
     ImGui::EndChild();
     ImGui::End();

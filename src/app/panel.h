@@ -75,6 +75,9 @@ class Panel
 // The contents of the window with the cost.
 void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerLog& log, float scale);
 
+// The section with the slider from fast to accurate.
+void draw_trade_slider(ViewerSession& session, ViewerLog& log);
+
 // Begins the window in the middle that lists keys and mouse movements, and fills it; the caller ends it. `open` becomes
 // false where it is closed.
 void begin_help(bool& open);

@@ -23,11 +23,11 @@ int run_view(const ViewFlags& flags)
     const auto load = [&flags](const std::string& name_or_path) {
         SceneRun run = prepare_run(flags.common, name_or_path);
         apply_size(flags.size, run.view);
-        std::shared_ptr<PromiseKeeper> promise = apply_promise(flags.promise, flags.common, run, {});
-        return ViewerScene{std::move(run.scene), run.params, run.view, std::move(promise)};
+        return ViewerScene{std::move(run.scene), run.params, run.view};
     };
     if (!flags.common.json.empty()) check_can_write(flags.common.json);
     ViewerOptions options;
+    options.promise = promised_goal(flags.promise, flags.common);
     options.quiet = flags.common.quiet;
     options.hash = flags.common.hash;
     options.start = load(flags.common.scene);

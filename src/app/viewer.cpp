@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -103,7 +104,7 @@ int Viewer::run()
     bool shown = true;
     while (!window_.should_close() && !interrupted()) {
         const bool minimised = pixels_.x == 0 || pixels_.y == 0;
-        const double rest_s = minimised ? kMinimisedWaitS : session_.paused() ? kPausedWaitS : kPlayingWaitS;
+        const double rest_s = minimised ? kMinimisedWaitS : session_.is_at_rest() ? kPausedWaitS : kPlayingWaitS;
         shown = frame(window_.poll(shown ? 0 : rest_s));
     }
     if (!options_.json.empty())
@@ -123,6 +124,8 @@ bool Viewer::frame(const WindowInput& input)
     if (std::exchange(pixels_, pixels) != pixels) stir();
     const double elapsed_s = since_advance_.lap_ms() / 1000;
     if (pixels.x == 0 || pixels.y == 0) return false;
+    // Few frames are drawn while settings are measured: on a machine without a graphics card they take a core.
+    if (session_.follow_measuring()) lively_frames_ = std::max(lively_frames_, 1);
     const bool was_paused = session_.paused();
     const std::vector<FrameStats> stats = session_.advance(elapsed_s);
     add_stats(stats);

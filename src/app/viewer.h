@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "model/sim_params.h"
@@ -20,7 +20,6 @@ struct ViewerScene
     Scene scene;
     SimParams params;
     ViewParams view;
-    std::shared_ptr<PromiseKeeper> promise;  // to be kept while it runs; none: none was given
 };
 
 // Reads a scene by name or path, as the command line would. Error where it cannot be read.
@@ -29,8 +28,9 @@ using SceneLoader = std::function<ViewerScene(const std::string& name_or_path)>;
 struct ViewerOptions
 {
     ViewerScene start;
-    SceneLoader load;                // for the list of scenes and for files dropped on the window
-    int width = 1280, height = 720;  // of the window, on a screen of content scale 1
+    SceneLoader load;                 // for the list of scenes and for files dropped on the window
+    std::optional<AutoGoal> promise;  // to be kept by what is shown, as soon as a setting for it is known
+    int width = 1280, height = 720;   // of the window, on a screen of content scale 1
     bool vsync = true;
     bool paused = false;         // starts at rest
     bool debug_context = false;  // asks the driver for its own checks

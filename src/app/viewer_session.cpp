@@ -35,7 +35,13 @@ std::unique_ptr<SceneView> make_picture(const Simulation& simulation)
 }  // namespace
 
 ViewerSession::ViewerSession(const ViewerOptions& options, ViewerLog& log, bool record)
-    : log_(log), load_(options.load), record_(record), quiet_(options.quiet), paused_(options.paused)
+    : log_(log),
+      load_(options.load),
+      record_(record),
+      quiet_(options.quiet),
+      goal_(options.promise),
+      trade_(options.promise),
+      paused_(options.paused)
 {
     show(options.start);
 }
@@ -46,11 +52,19 @@ void ViewerSession::show(ViewerScene scene)
     auto simulation = std::make_unique<Simulation>(std::move(scene.scene), scene.params);
     picture_ = make_picture(*simulation);
     simulation_ = std::move(simulation);
-    promise_ = std::move(scene.promise);
+    promise_.reset();
     view_ = scene.view;
     file_view_ = file_view;
     started();
     log_.action("scene {}", simulation_->scene().name);
+    trade_.start(simulation_->scene(), simulation_->asked_params());
+    if (trade_.ladder()) {
+        log_.action("ladder of {} rungs remembered", trade_.ladder()->rungs.size());
+        if (goal_) begin_promise();
+    } else if (goal_) {
+        measure_ladder();
+        trade_.promise_when_measured();
+    }
 }
 
 void ViewerSession::started()
@@ -111,6 +125,7 @@ void ViewerSession::keep_promise(const FrameStats& frame)
 {
     if (!promise_) return;
     for (const std::string& line : promise_->look(*simulation_, frame)) {
+        trade_.forget_frames();
         if (!quiet_) fmt::print(stderr, "{}: {}\n", simulation_->scene().name, line);
         log_.action("promise {}", line);
         judge_stability();
@@ -121,18 +136,19 @@ void ViewerSession::keep_promise(const FrameStats& frame)
 void ViewerSession::after_frame(const FrameStats& frame)
 {
     if (record_) recorder_.add(frame, simulation_->diagnostics());
+    trade_.add_frame(frame);
     keep_promise(frame);
 }
 
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
 {
-    if (paused_) return {};
+    if (is_at_rest()) return {};
     return run([&] { return simulation_->advance(elapsed_s, [&](const FrameStats& frame) { after_frame(frame); }); });
 }
 
 std::vector<FrameStats> ViewerSession::step()
 {
-    if (went_bad_) return {};
+    if (went_bad_ || trade_.is_measuring()) return {};
     paused_ = true;
     std::vector<FrameStats> frames = run([&] {
         const FrameStats frame = simulation_->advance_frame();
@@ -171,6 +187,7 @@ void ViewerSession::set_sim_param(const ParamInfo& info, double value)
     SimParams params = simulation_->asked_params();
     try {
         set_param(info, &params, value, "panel");
+        give_up_measuring();
         if (is_chosen_by_auto(info.name) || needs_restart(info.name)) promise_.reset();
         // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
         const ClothModel* before = &simulation_->model();
@@ -180,7 +197,9 @@ void ViewerSession::set_sim_param(const ParamInfo& info, double value)
         if (&simulation_->model() != before) {
             picture_ = make_picture(*simulation_);
             started();
+            trade_.rebuilt(simulation_->scene(), simulation_->asked_params());
         }
+        trade_.forget_frames();
         judge_stability();
         tell_of_start();
     } catch (const std::exception& error) {

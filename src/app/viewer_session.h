@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/trade_slider.h"
 #include "app/viewer.h"
 #include "app/viewer_log.h"
 #include "render/scene_view.h"
@@ -32,6 +33,7 @@ class ViewerSession
     void draw(const Viewport& viewport, StageTimes& stage_ms);
 
     bool paused() const { return paused_; }
+    bool is_at_rest() const { return paused_ || trade_.is_measuring(); }
     bool went_bad() const { return went_bad_; }  // only a restart helps
     // What was refused last, or how the simulation went bad; empty where all is well.
     const std::string& error() const { return error_; }
@@ -42,9 +44,10 @@ class ViewerSession
     // Grows with every start from the beginning; vertices may have other numbers after it.
     int start_count() const { return start_count_; }
 
-    // The simulated frames that `elapsed_s` of wall time ask for; none while paused.
+    // The simulated frames that `elapsed_s` of wall time ask for; none while paused, or while settings are measured:
+    // frames beside it would disturb the times, which are remembered.
     std::vector<FrameStats> advance(double elapsed_s);
-    std::vector<FrameStats> step();  // one frame, and pauses
+    std::vector<FrameStats> step();  // one frame, and pauses; none while settings are measured
     void set_paused(bool paused);
     void restart();
     // Shows another scene; where it cannot be read or does not work, the present one goes on and error() says why.
@@ -53,6 +56,19 @@ class ViewerSession
     // Sets the number of substeps that is stable, and starts again where the simulation went bad.
     void use_stable_substeps();
     void set_view_param(const ParamInfo& info, double value);
+
+    // The slider from fast to accurate.
+    const TradeSlider& trade() const { return trade_; }
+    const PromiseKeeper* promise() const { return promise_.get(); }
+    // On which the parameters are; none where they were set by hand.
+    std::optional<std::size_t> rung() const;
+    // Measures the ladder of the slider, where it is not remembered.
+    void measure_ladder();
+    void give_up_measuring();
+    // Ends a promise.
+    void use_rung(std::size_t rung);
+    // Takes what was measured, and begins to keep what was promised. Whether there is something new to show.
+    bool follow_measuring();
 
     // Writes the report of the frames since the last start.
     void write_report(const std::filesystem::path& path, const MachineInfo& machine);
@@ -66,13 +82,17 @@ class ViewerSession
     std::vector<FrameStats> run(Run run);
     void keep_promise(const FrameStats& frame);
     void after_frame(const FrameStats& frame);
+    void begin_promise();
+    void set_rung(std::size_t rung);
 
     ViewerLog& log_;
     SceneLoader load_;
     bool record_, quiet_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<SceneView> picture_;
-    std::shared_ptr<PromiseKeeper> promise_;
+    std::optional<AutoGoal> goal_;  // that was promised
+    std::unique_ptr<PromiseKeeper> promise_;
+    TradeSlider trade_;
     ViewParams view_, file_view_;
     RunRecorder recorder_;
     bool paused_, went_bad_ = false;

@@ -30,7 +30,8 @@ Json describe(SceneStudy& study)
 {
     Json about = class_json(study.scene_class(), study.params());
     SimParams probe = study.asked_params();
-    about["meets"] = probe.collision != CollisionLevel::none && layers_meet(study.scene(), probe, long_frames(study));
+    about["meets"] =
+        probe.collision != CollisionLevel::none && layers_meet(study.scene(), probe, long_frames(study), study.watch());
     return about;
 }
 
@@ -63,6 +64,7 @@ Json mean_doubling_m(SceneStudy& study, const Setting& setting)
     try {
         for (int frame = 1; frame < frames || count == 0; ++frame) {
             simulation.advance_frame();
+            study.ask_watch();
             if (frame % stride != 0) continue;
             const double error = doubling_error_m(simulation, pool);
             sum += error * error;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "sim/simulation.h"
 
 namespace nuno {
 namespace {
@@ -20,7 +21,7 @@ double median(std::vector<double> ms)
 
 }  // namespace
 
-SceneCost scene_cost(const Scene& scene, const SimParams& params, int frames, double limit_ms)
+SceneCost scene_cost(const Scene& scene, const SimParams& params, int frames, double limit_ms, const FrameWatch& watch)
 {
     assert(frames > 0);
     SceneCost cost;
@@ -33,6 +34,7 @@ SceneCost scene_cost(const Scene& scene, const SimParams& params, int frames, do
             cost.largest_strain = std::max(cost.largest_strain, double(simulation.diagnostics().max_strain));
             if (frame_ms.back() > limit_ms) over.push_back(frame_ms.back());
             cost.is_dearer = int(over.size()) >= frames - frames / 2;
+            if (watch) watch();
         }
     } catch (const Error& error) {
         if (error.code() != ExitCode::went_bad) throw;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "sim/simulation.h"
+#include "study/trajectory.h"
 
 namespace nuno {
 
@@ -19,6 +19,6 @@ struct SceneCost
 
 // Runs `frames` frames, one at least. A median over `limit_ms` is known once more than half of all frames took longer.
 SceneCost scene_cost(const Scene& scene, const SimParams& params, int frames,
-                     double limit_ms = std::numeric_limits<double>::infinity());
+                     double limit_ms = std::numeric_limits<double>::infinity(), const FrameWatch& watch = {});
 
 }  // namespace nuno

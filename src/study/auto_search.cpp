@@ -23,7 +23,8 @@ constexpr double kMostMs = 20000;
 Json measure_error(SceneStudy& study, const Setting& setting)
 {
     const int frames = study.scene_class().frames;
-    const Trajectory run = run_trajectory(study.scene(), with_setting(study.params(), setting), frames, kMostMs);
+    const Trajectory run = run_trajectory(study.scene(), with_setting(study.params(), setting), frames,
+                                          {.most_ms = kMostMs, .watch = study.watch()});
     if (run.frames() < frames) return {{"failure", run.too_slow ? "too slow" : run.failure}};
     return {{"substeps", run.substeps},
             {"error_share", error_against(run, study.reference(), frames).rms_m / study.scene_class().size_m}};
@@ -33,7 +34,7 @@ Json measure_cost(const SceneStudy& study, const Setting& setting, CollisionLeve
 {
     SimParams params = with_setting(study.asked_params(), setting);
     params.collision = level;
-    const SceneCost cost = scene_cost(study.scene(), params, long_frames(study), limit_ms);
+    const SceneCost cost = scene_cost(study.scene(), params, long_frames(study), limit_ms, study.watch());
     if (!cost.failure.empty()) return {{"failure", cost.failure}};
     if (cost.is_dearer) return {{"over_ms", limit_ms}, {"about_ms", cost.ms_per_frame}};
     return {{"ms_per_frame", cost.ms_per_frame}, {"largest_strain", cost.largest_strain}};

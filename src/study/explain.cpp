@@ -78,7 +78,7 @@ Explanation explain_scene(SceneStudy& study, double tolerance_share, const Sweep
     for (const Part& part : parts)
         if (!part.is_there && part.without.front().first != "resolution") explanation.absent.push_back(part.name);
     // All run as long as the whole does: else means would be those of other times.
-    const Trajectory whole = run_trajectory(study.scene(), asked, long_frames(study), {}, kEnoughMs);
+    const Trajectory whole = run_trajectory(study.scene(), asked, long_frames(study), {.enough_ms = kEnoughMs});
     if (!whole.failure.empty()) throw Error(whole.failure, ExitCode::went_bad);
     explanation.ms_per_frame = whole.median_ms();
     explanation.intersections = count_intersections(study.scene(), asked, whole, kCheckEvery).per_pose();

@@ -216,6 +216,11 @@ std::vector<std::string> PromiseKeeper::cannot(const std::string& reason, bool c
                         goal_.budget_ms ? "cheaper" : "more exact")};
 }
 
+std::optional<double> PromiseKeeper::latest() const
+{
+    return estimates_.empty() ? std::nullopt : std::optional(estimates_.back());
+}
+
 bool PromiseKeeper::is_kept() const
 {
     if (!goal_.budget_ms || estimates_.empty()) return !is_broken_;

@@ -63,6 +63,8 @@ class PromiseKeeper
 
     const std::vector<Rung>& ladder() const { return ladder_; }
     std::size_t rung() const { return rung_; }
+    // The latest estimate of the error, as a share, or the latest time of a frame [ms]; none before the first.
+    std::optional<double> latest() const;
     const std::vector<RungChange>& changes() const { return changes_; }
     bool is_kept() const;
     // One sentence where it is not; else empty.

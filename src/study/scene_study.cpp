@@ -59,7 +59,7 @@ int long_frames(const SceneStudy& study)
     return checked > 0 ? checked : kLongSeconds * study.asked_params().frame_rate;
 }
 
-int layers_meet(const Scene& scene, SimParams params, int frames)
+int layers_meet(const Scene& scene, SimParams params, int frames, const FrameWatch& watch)
 {
     params.collision = std::max(params.collision, CollisionLevel::speculative);
     params.culling = Culling::sound;
@@ -70,8 +70,10 @@ int layers_meet(const Scene& scene, SimParams params, int frames)
     for (const SimParams& tried : {params, automatic}) {
         Simulation simulation(scene, tried);
         try {
-            for (frame = 1; frame <= frames; ++frame)
+            for (frame = 1; frame <= frames; ++frame) {
                 if (simulation.advance_frame().count.contacts > 0) return frame;
+                if (watch) watch();
+            }
             return 0;
         } catch (const Error& error) {
             if (error.code() != ExitCode::went_bad) throw;
@@ -105,7 +107,8 @@ SimParams reference_params(SimParams params)
     return params;
 }
 
-SceneStudy::SceneStudy(Scene scene, const SimParams& params) : scene_(std::move(scene)), params_(params), base_(params)
+SceneStudy::SceneStudy(Scene scene, const SimParams& params, FrameWatch watch)
+    : scene_(std::move(scene)), params_(params), base_(params), watch_(std::move(watch))
 {
     params_.backend = base_.backend = Backend::cpu;
     params_.count_pass_through = base_.count_pass_through = 0;
@@ -145,7 +148,7 @@ void SceneStudy::classify()
     class_->size_m = cloth_size(model);
     class_->particles = model.vertex_count();
     class_->frames = frames_of(kLongestHorizon, params_);
-    class_->first_contact = layers_meet(scene_, params_, class_->frames);
+    class_->first_contact = layers_meet(scene_, params_, class_->frames, watch_);
     SimParams swept = params_;
     swept.method = Method::xpbd;
     class_->is_tethered = takes_xpbd(params_) && resolve_params(model, scene_.bodies, swept).tethers != Tethers::none;
@@ -156,10 +159,10 @@ SimParams SceneStudy::find_reference()
 {
     const int frames = class_->frames;
     const SimParams exact = reference_params(base_);
-    reference_ = run_trajectory(scene_, exact, frames);
+    reference_ = run_trajectory(scene_, exact, frames, {.watch = watch_});
     if (reference_.failure.empty()) return exact;
     const SimParams closer = finer(exact);
-    reference_ = run_trajectory(scene_, closer, frames);
+    reference_ = run_trajectory(scene_, closer, frames, {.watch = watch_});
     if (reference_.failure.empty()) return closer;
     throw Error(fmt::format("{} (the converged run that errors are held against, also with a tenth of its tolerance: "
                             "without it no error can be told; softer springs, less load or a smaller frame would give "
@@ -180,7 +183,7 @@ void SceneStudy::find_horizon()
     if (params_.collision == CollisionLevel::none) found.first_contact = 0;
 
     const SimParams exact = find_reference();
-    const Trajectory other = run_trajectory(scene_, shifted(exact), found.frames);
+    const Trajectory other = run_trajectory(scene_, shifted(exact), found.frames, {.watch = watch_});
     int frame = 1;
     for (; frame <= std::min(found.frames, other.frames()); ++frame) {
         const auto f = static_cast<std::size_t>(frame);
@@ -192,7 +195,7 @@ void SceneStudy::find_horizon()
     found.frames = frame - 1;
     if (found.frames < 1) throw Error(other.failure + " (a shifted start of the study)", ExitCode::went_bad);
 
-    const Trajectory check = run_trajectory(scene_, finer(exact), found.frames);
+    const Trajectory check = run_trajectory(scene_, finer(exact), found.frames, {.watch = watch_});
     if (check.frames() < found.frames)
         throw Error(check.failure + " (the check of the reference of the study)", ExitCode::went_bad);
     found.reference_error_m = error_against(reference_, check, found.frames).rms_m;

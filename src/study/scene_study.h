@@ -33,14 +33,20 @@ struct SceneClass
 class SceneStudy
 {
   public:
-    // On the cpu backend; `params` as the scene and the user have them.
-    SceneStudy(Scene scene, const SimParams& params);
+    // On the cpu backend; `params` as the scene and the user have them. What `watch` throws ends what is being measured,
+    // and leaves the study of no use.
+    SceneStudy(Scene scene, const SimParams& params, FrameWatch watch = {});
 
     const Scene& scene() const { return scene_; }
     const std::string& name() const { return scene_.name; }
     // The base of all points: collision is none where layers do not come near within the horizon.
     const SimParams& params();
     const SimParams& asked_params() const { return params_; }
+    const FrameWatch& watch() const { return watch_; }
+    void ask_watch() const
+    {
+        if (watch_) watch_();
+    }
     // Error where a run that it needs goes bad, as often as it is asked.
     const SceneClass& scene_class();
     // Converged, on the mesh of the scene.
@@ -54,6 +60,7 @@ class SceneStudy
 
     Scene scene_;
     SimParams params_, base_;
+    FrameWatch watch_;
     std::optional<SceneClass> class_;
     std::optional<Error> failure_;  // of the reference; it is not tried twice
     Trajectory reference_;
@@ -64,7 +71,7 @@ int long_frames(const SceneStudy& study);
 
 // Whether layers come near each other in these frames, as a quick run foresees it; the first such frame, or 0. Where that
 // goes bad another with method and substeps of nuno's choice is made; where that does too, the frame counts as one.
-int layers_meet(const Scene& scene, SimParams params, int frames);
+int layers_meet(const Scene& scene, SimParams params, int frames, const FrameWatch& watch = {});
 
 // The longest side of a sheet at rest [m].
 double cloth_size(const ClothModel& model);

@@ -32,7 +32,7 @@ Json measure_time(SceneStudy& study, const Setting& setting, const TradeOptions&
     const SceneClass& scene_class = study.scene_class();
     const SimParams params = with_setting(study.params(), setting);
     const int frames = scene_class.frames;
-    const Trajectory run = run_trajectory(study.scene(), params, frames, options.most_ms);
+    const Trajectory run = run_trajectory(study.scene(), params, frames, {.most_ms = options.most_ms});
     Json result{{"set", setting_json(setting)}, {"substeps", run.substeps}};
     if (run.too_slow) result["too_slow"] = true;
     if (!run.failure.empty()) result["failure"] = run.failure;
@@ -143,7 +143,7 @@ Json measure_long(SceneStudy& study, const Setting& setting, const TradeOptions&
     for (int number = 0; number < runs; ++number) {
         SimParams params = with_setting(study.asked_params(), setting);
         params.seed += number;
-        const Trajectory run = run_trajectory(study.scene(), params, frames, options.most_ms);
+        const Trajectory run = run_trajectory(study.scene(), params, frames, {.most_ms = options.most_ms});
         if (run.too_slow) return result["too_slow"] = true, result;
         if (!run.failure.empty()) return result["failure"] = run.failure, result;
         result["substeps"] = run.substeps;

@@ -50,8 +50,7 @@ double Trajectory::median_ms() const
     return ms[ms.size() / 2];
 }
 
-Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms,
-                          std::optional<double> enough_ms)
+Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, const RunLimits& limits)
 {
     Simulation simulation(scene, params);
     Trajectory run;
@@ -63,8 +62,9 @@ Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frame
             run.frame_ms.push_back(simulation_ms(stats.stage_ms));
             run.count.add(stats.count);
             record(simulation, run);
-            run.too_slow = most_ms && run.ms() > *most_ms * stats.time_s;
-            if (run.too_slow || (enough_ms && run.ms() > *enough_ms)) break;
+            run.too_slow = limits.most_ms && run.ms() > *limits.most_ms * stats.time_s;
+            if (run.too_slow || (limits.enough_ms && run.ms() > *limits.enough_ms)) break;
+            if (limits.watch) limits.watch();
         }
     } catch (const Error& error) {
         if (error.code() != ExitCode::went_bad) throw;

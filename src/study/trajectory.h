@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,20 @@ struct Trajectory
     double median_ms() const;  // of a frame, of at least one
 };
 
-// Runs a scene. It ends early where it goes bad (`failure`), or takes more than `most_ms` a simulated second
-// (`too_slow`), asked after each frame; or where the frames have taken `enough_ms`, which is no failure. Error where
-// scene or parameters do not work at all.
-Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, std::optional<double> most_ms = {},
-                          std::optional<double> enough_ms = {});
+// Called after each frame of a run; what it throws ends the run.
+using FrameWatch = std::function<void()>;
+
+// What ends a run early; asked after each frame.
+struct RunLimits
+{
+    std::optional<double> most_ms = {};    // a simulated second: `too_slow`
+    std::optional<double> enough_ms = {};  // of all frames; no failure
+    FrameWatch watch = {};
+};
+
+// Runs a scene. It ends early at a limit, or where it goes bad (`failure`). Error where scene or parameters do not work
+// at all.
+Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, const RunLimits& limits = {});
 
 // The least time [ms] of `frames` frames from the start, of up to `repeats` runs after a first frame that warms up, as
 // many as fit into `most_ms` but one at least; nothing else is measured on the way.

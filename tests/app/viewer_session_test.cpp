@@ -14,7 +14,7 @@ ViewerScene seed_scene()
     Scene scene = load_scene("seed");
     SimParams params = scene.params;
     params.backend = Backend::cpu;
-    return {scene, params, {}, nullptr};
+    return {scene, params, {}};
 }
 
 ViewerOptions seed_options(bool paused)
