@@ -44,7 +44,7 @@ class TradeSlider
     const std::string& error() const { return error_; }  // why the last measurement has no ladder
     // A parameter by name that the ladder was measured with another value of; empty where all are the same.
     std::string changed_param(const SimParams& asked) const;
-    // The rung with exactly these parameters.
+    // The rung whose settings these parameters have, whatever the others are.
     std::optional<std::size_t> rung_of(const SimParams& asked) const;
 
     // Of solver and collision: the median of the last frames since they were forgotten [ms].

@@ -8,11 +8,14 @@ constexpr double kPatienceS = 40;  // a loaded machine without a graphics card
 
 }  // namespace
 
-ViewerDriver::ViewerDriver(const std::vector<std::string>& words, int dpi)
+ViewerDriver::ViewerDriver(const std::vector<std::string>& words, int dpi, const std::filesystem::path& memory)
 {
     if (dpi > 0) display_.set_dpi(dpi);
     // Small pictures of one sample: the tests are about input, not about the picture.
-    ProgramStart start{{NUNO_PROGRAM, "view"}, {"DISPLAY=" + display_.name(), "WAYLAND_DISPLAY="}, directory_.path()};
+    ProgramStart start{{NUNO_PROGRAM, "view"},
+                       {"DISPLAY=" + display_.name(),
+                        "WAYLAND_DISPLAY=", "XDG_CACHE_HOME=" + (memory.empty() ? no_memory_.path() : memory).string()},
+                       directory_.path()};
     start.words.insert(start.words.end(), words.begin(), words.end());
     for (const char* word : {"--log-actions", "--set", "samples=1"}) start.words.emplace_back(word);
     program_.emplace(start);
@@ -58,6 +61,12 @@ void ViewerDriver::click(int x, int y, int button)
 {
     move(x, y);
     display_.xdotool("click " + std::to_string(button));
+}
+
+void ViewerDriver::click_control(const std::string& name)
+{
+    const ControlPlace place = control(name);
+    click(place.x(), place.y());
 }
 
 void ViewerDriver::drag(int from_x, int from_y, int to_x, int to_y, int button)

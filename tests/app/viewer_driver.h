@@ -25,8 +25,9 @@ class ViewerDriver
 {
   public:
     // Starts `nuno view WORDS... --log-actions` in a directory of its own, on a display of that many dots per inch (0:
-    // not said), and waits until its panel is there.
-    explicit ViewerDriver(const std::vector<std::string>& words, int dpi = 0);
+    // not said), and waits until its panel is there. `memory`: where it remembers what it measures; empty: nothing is
+    // remembered yet.
+    explicit ViewerDriver(const std::vector<std::string>& words, int dpi = 0, const std::filesystem::path& memory = {});
 
     RunningProgram& program() { return *program_; }
     const std::filesystem::path& directory() const { return directory_.path(); }
@@ -48,6 +49,7 @@ class ViewerDriver
     void press(int x, int y, int button = 1);
     void release(int button = 1);
     void click(int x, int y, int button = 1);
+    void click_control(const std::string& name);
     // Press, moves in steps, release.
     void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
     void key(const std::string& names);
@@ -63,7 +65,7 @@ class ViewerDriver
     std::string window_word() const { return " --window " + window_ + " "; }
 
     VirtualDisplay display_;
-    TemporaryDirectory directory_;
+    TemporaryDirectory directory_, no_memory_;
     std::optional<RunningProgram> program_;
     std::string window_;
 };
