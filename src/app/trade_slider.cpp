@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/quantile.h"
+
 namespace nuno {
 namespace {
 
@@ -81,16 +83,14 @@ std::optional<std::size_t> TradeSlider::rung_of(const SimParams& asked) const
 std::optional<double> TradeSlider::frame_ms() const
 {
     if (recent_ms_.size() < kRecentFrames) return std::nullopt;
-    std::deque<double> sorted = recent_ms_;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
+    return median(recent_ms_);
 }
 
 void TradeSlider::add_frame(const FrameStats& frame)
 {
     if (frame.substeps == 0) return;  // cloth asleep costs nothing
     recent_ms_.push_back(simulation_ms(frame.stage_ms));
-    if (recent_ms_.size() > kRecentFrames) recent_ms_.pop_front();
+    if (recent_ms_.size() > kRecentFrames) recent_ms_.erase(recent_ms_.begin());
 }
 
 }  // namespace nuno

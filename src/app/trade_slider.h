@@ -1,9 +1,9 @@
 // The slider from fast to accurate: the ladder that it moves on, remembered or measured beside the window.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/auto_ladder.h"
 #include "app/calibration.h"
@@ -58,7 +58,7 @@ class TradeSlider
     std::optional<MeasuredLadder> ladder_;
     bool is_for_promise_ = false;
     std::string error_;
-    std::deque<double> recent_ms_;
+    std::vector<double> recent_ms_;  // the oldest first
     Calibration::Progress shown_;
     Calibration calibration_;
 };

@@ -18,6 +18,7 @@
 #include "app/viewer_pointer.h"
 #include "app/viewer_ui.h"
 #include "app/window.h"
+#include "app/window_frames.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
 
@@ -69,8 +70,9 @@ class Viewer
     ViewerPointer pointer_;
     Panel panel_;
     ViewerMeters meters_;
+    WindowFrames frames_;
 
-    Stopwatch since_advance_, since_shown_, since_input_, since_notice_;
+    Stopwatch since_advance_, since_begin_, since_shown_, since_input_, since_notice_;
     StageTimes stage_ms_;  // since the last frame that was shown
     int simulated_frames_ = 0;
     double simulated_s_ = 0;
@@ -108,8 +110,11 @@ int Viewer::run()
         shown = frame(window_.poll(shown ? 0 : rest_s));
     }
     if (!options_.json.empty())
-        session_.write_report(options_.json, machine_info(&meters_.gl, session_.simulation().thread_count()));
+        session_.write_report(options_.json, machine_info(&meters_.gl, session_.simulation().thread_count()),
+                              frames_.json());
     if (options_.hash) fmt::print("state-hash {}\n", hash_text(session_.simulation().state()));
+    log_.action("shown {} frames; of {} simulated ones {} were skipped", frames_.shown(), frames_.simulated(),
+                frames_.skipped());
     log_.action("closed");
     return static_cast<int>(interrupted() ? ExitCode::interrupted : ExitCode::done);
 }
@@ -123,6 +128,7 @@ bool Viewer::frame(const WindowInput& input)
     if (pixels != pixels_) log_.action("framebuffer {}x{}", pixels.x, pixels.y);
     if (std::exchange(pixels_, pixels) != pixels) stir();
     const double elapsed_s = since_advance_.lap_ms() / 1000;
+    since_begin_ = {};
     if (pixels.x == 0 || pixels.y == 0) return false;
     // Few frames are drawn while settings are measured: on a machine without a graphics card they take a core.
     if (session_.follow_measuring()) lively_frames_ = std::max(lively_frames_, 1);
@@ -188,6 +194,7 @@ void Viewer::show(const WindowInput& input)
     window_.swap();
 
     meters_.stages.add(stage_column(stage_ms_, stage_ms_.render, panel_ms), simulated_frames_);
+    frames_.add(simulated_frames_, {since_begin_.elapsed_ms(), stage_ms_.render, panel_ms});
     end_shown_frame();
 }
 

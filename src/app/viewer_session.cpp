@@ -232,10 +232,12 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
     picture_->draw(view_, positions, {simulation_->scene().bodies, simulation_->time_s()}, viewport);
 }
 
-void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine)
+void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine,
+                                 const nlohmann::ordered_json& window)
 {
     nlohmann::ordered_json report =
         make_report(recorder_, *simulation_, machine, params_json(view_param_table(), &view_));
+    report["window"] = window;
     if (promise_) report["promise"] = promise_->report();
     write_whole(path, report.dump(2) + "\n");
 }

@@ -70,8 +70,9 @@ class ViewerSession
     // Takes what was measured, and begins to keep what was promised. Whether there is something new to show.
     bool follow_measuring();
 
-    // Writes the report of the frames since the last start.
-    void write_report(const std::filesystem::path& path, const MachineInfo& machine);
+    // Writes the report of the frames since the last start, with what the window showed.
+    void write_report(const std::filesystem::path& path, const MachineInfo& machine,
+                      const nlohmann::ordered_json& window);
 
   private:
     void show(ViewerScene scene);

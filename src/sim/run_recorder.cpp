@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/quantile.h"
 #include "core/version.h"
 
 namespace nuno {
@@ -52,14 +53,6 @@ Json check_json(const CheckCounts& check)
             {"touching", check.touching},
             {"passed_through", check.passed_through},
             {"first_frame", check.first_frame < 0 ? Json(nullptr) : Json(check.first_frame)}};
-}
-
-// Value at a share of a sorted list.
-double quantile(std::vector<double> values, double share)
-{
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, static_cast<std::size_t>(share * double(values.size())))];
 }
 
 Json frame_json(const FrameRecord& record)

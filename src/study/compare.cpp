@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/error.h"
+#include "core/quantile.h"
 #include "core/stopwatch.h"
 #include "model/oscillator.h"
 #include "model/stability.h"
@@ -25,12 +26,6 @@ constexpr int kMostTimedFrames = 24, kLeastTimedFrames = 4, kFramesATurn = 4;
 constexpr double kFramesMs = 1500, kFramesOfManyMs = 400;
 // A frame; a method that needs more is left out where every one is tried.
 constexpr int kMostSubsteps = 2000;
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 BackendCost cost_of(const std::vector<FrameStats>& frames, std::uint32_t particles, int substeps)
 {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/quantile.h"
 #include "study/compare_plot.h"
 #include "study/gnuplot.h"
 #include "study/html.h"
@@ -54,11 +55,11 @@ std::string summary(const std::vector<ComparePoint>& points)
         "<b>{:.2g} m</b>; gone bad: {}.",
         points.size(), same, kComparedSubsteps.back(), largest, bad);
     if (!ratios.empty()) {
-        std::sort(ratios.begin(), ratios.end());
+        const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
         text += fmt::format(
             " A frame takes {:.2g} to {:.2g} times as long on the GPU as on the CPU, {:.2g} times in the "
             "median.",
-            ratios.front(), ratios.back(), ratios[ratios.size() / 2]);
+            *least, *most, median(ratios));
     }
     return text + "</p>\n";
 }

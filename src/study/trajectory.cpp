@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/error.h"
+#include "core/quantile.h"
 #include "core/stopwatch.h"
 #include "sim/simulation.h"
 
@@ -43,12 +44,7 @@ double square_sum(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>&
 
 double Trajectory::ms() const { return std::accumulate(frame_ms.begin(), frame_ms.end(), 0.0); }
 
-double Trajectory::median_ms() const
-{
-    std::vector<double> ms = frame_ms;
-    std::nth_element(ms.begin(), ms.begin() + std::ptrdiff_t(ms.size() / 2), ms.end());
-    return ms[ms.size() / 2];
-}
+double Trajectory::median_ms() const { return median(frame_ms); }
 
 Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, const RunLimits& limits)
 {

@@ -243,6 +243,10 @@ TEST_F(ViewerTest, ctrl_c_ends_it_with_a_whole_report)
     const auto report = nlohmann::json::parse(read_text(viewer.directory() / "report.json"));
     EXPECT_EQ(report["frames"].size(), 3u);
     EXPECT_EQ(report["scene"], "seed");
+    EXPECT_EQ(report["window"]["simulated"], 3);
+    EXPECT_EQ(report["window"]["skipped"], 0);
+    EXPECT_GE(report["window"]["shown"], 3);
+    EXPECT_GT(report["window"]["frame_ms"]["median"], 0);
 }
 
 TEST_F(ViewerTest, another_scene_is_chosen_from_the_list)
