@@ -83,7 +83,8 @@ PanelRequests Panel::draw_side(ViewerSession& session)
 {
     PanelRequests requests;
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                   ImGuiWindowFlags_NoBackground;
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSizeConstraints({std::min(200 * scale_, 0.5f * size_.x), size_.y}, {0.5f * size_.x, size_.y});
     ImGui::SetNextWindowSize({width_, size_.y}, place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/viewer_ui.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "render/png_file.h"
@@ -21,6 +22,7 @@ void ViewerPicture::draw(ViewerSession& session, glm::ivec2 pixels, int covered,
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target_->id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
+    glClearColor(kPanelColour.r, kPanelColour.g, kPanelColour.b, kPanelColour.a);
     glClear(GL_COLOR_BUFFER_BIT);
     glBlitFramebuffer(0, 0, size.x, size.y, pixels.x - size.x, 0, pixels.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -49,7 +49,7 @@ void set_colours(ImVec4* colours)
     const ImVec4 accent(0.24f, 0.46f, 0.72f, 1), dim(0.21f, 0.24f, 0.29f, 1), bright(0.27f, 0.32f, 0.39f, 1);
     colours[ImGuiCol_Text] = {0.90f, 0.91f, 0.93f, 1};
     colours[ImGuiCol_TextDisabled] = {0.56f, 0.59f, 0.64f, 1};
-    colours[ImGuiCol_WindowBg] = {0.105f, 0.115f, 0.135f, 1};
+    colours[ImGuiCol_WindowBg] = {kPanelColour.r, kPanelColour.g, kPanelColour.b, kPanelColour.a};
     colours[ImGuiCol_PopupBg] = {0.13f, 0.14f, 0.165f, 1};
     colours[ImGuiCol_Border] = {0.24f, 0.27f, 0.31f, 1};
     colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] = {0.145f, 0.16f, 0.19f, 1};

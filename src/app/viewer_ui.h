@@ -4,9 +4,14 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec4.hpp>
+
 #include "app/window.h"
 
 namespace nuno {
+
+// Of all panels. The side panel has none of its own: the window is cleared to it there, which costs less than drawing.
+inline constexpr glm::vec4 kPanelColour(0.105f, 0.115f, 0.135f, 1);
 
 class ViewerUi
 {

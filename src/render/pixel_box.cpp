@@ -21,15 +21,19 @@ Bounds bounds_of(std::span<const glm::vec4> positions)
     return bounds;
 }
 
+glm::vec3 corner_of(const Bounds& box, int number)
+{
+    return {number & 1 ? box.high.x : box.low.x, number & 2 ? box.high.y : box.low.y,
+            number & 4 ? box.high.z : box.low.z};
+}
+
 PixelBox pixels_of(std::span<const Bounds> boxes, const glm::mat4& view_projection, glm::ivec2 size)
 {
     const PixelBox all{{0, 0}, size};
     glm::vec2 low(1), high(-1);
     for (const Bounds& box : boxes)
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec3 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                              corner & 4 ? box.high.z : box.low.z);
-            const glm::vec4 clip = view_projection * glm::vec4(p, 1);
+            const glm::vec4 clip = view_projection * glm::vec4(corner_of(box, corner), 1);
             if (!(clip.w > 1e-6f) || !std::isfinite(clip.x + clip.y)) return all;
             const glm::vec2 at = glm::vec2(clip) / clip.w;
             low = glm::min(low, at);

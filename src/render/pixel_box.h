@@ -16,6 +16,9 @@ struct Bounds
     glm::vec3 low, high;
 };
 
+// One of its eight, by the three lowest bits of `number`.
+glm::vec3 corner_of(const Bounds& box, int number);
+
 // Of positions [m] (xyz used), not empty.
 Bounds bounds_of(std::span<const glm::vec4> positions);
 

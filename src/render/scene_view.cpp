@@ -52,14 +52,56 @@ void SceneView::cast_shadows(const ViewParams& params, const ViewBlock& block, f
     floor_shadow_->bind(UNIT_FLOOR_SHADOW);
 }
 
-// What cloth and bodies can cover.
-PixelBox SceneView::figure_pixels(const ViewBlock& block, glm::ivec2 size) const
+// Of cloth and bodies; none where the cloth's are not known on the host.
+std::optional<std::vector<Bounds>> SceneView::figure_bounds() const
 {
     const std::optional<Bounds> cloth = cloth_.bounds();
-    if (!cloth) return {{0, 0}, size};
+    if (!cloth) return std::nullopt;
     std::vector<Bounds> boxes(bodies_.bounds().begin(), bodies_.bounds().end());
     boxes.push_back(*cloth);
-    return pixels_of(boxes, block.view_projection, size);
+    return boxes;
+}
+
+// Where floor and background are not as without cloth and bodies.
+PixelBox SceneView::shadow_pixels(const ViewParams& params, const ViewBlock& block, glm::ivec2 size) const
+{
+    const float half_side = block.shadow_centre.w;
+    if (!params.floor || half_side == 0) return {};
+    const auto boxes = figure_bounds();
+    if (!boxes) return {{0, 0}, size};
+    const float reach_m =
+        params.look == Look::cloth ? FloorMask::reach_m(half_side, params.light_size) : FloorShadow::reach_m(half_side);
+    return floor_shadow_pixels(block, *boxes, reach_m, size);
+}
+
+void SceneView::draw_stage(const LookPrograms& programs, bool floor) const
+{
+    if (floor) stage_.draw_floor(programs.floor);
+    stage_.draw_background(programs.background);
+}
+
+// The same pixels, of which most are copied where the picture before had them too.
+void SceneView::draw_kept_stage(const ViewParams& params, const ViewBlock& block, const Viewport& viewport)
+{
+    const LookPrograms& programs = *programs_[static_cast<std::size_t>(params.look)];
+    const glm::ivec2 size(viewport.width, viewport.height);
+    if (!backdrop_.repeats({block, params.look, params.floor != 0, size})) return draw_stage(programs, params.floor);
+    if (!backdrop_.is_drawn()) {
+        ViewBlock unshadowed = block;
+        unshadowed.shadow_centre.w = 0;
+        set_view(unshadowed);
+        backdrop_.begin();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        draw_stage(programs, params.floor);
+        set_view(block);
+    }
+    backdrop_.copy_to(viewport.framebuffer);
+    const PixelBox box = shadow_pixels(params, block, size);
+    if (box.low == box.high) return;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
+    stage_.draw_floor(programs.floor);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void SceneView::draw_figures(const ViewParams& params) const
@@ -77,7 +119,8 @@ void SceneView::draw_figures(const ViewParams& params) const
 void SceneView::draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport)
 {
     const glm::ivec2 size(viewport.width, viewport.height);
-    const PixelBox box = figure_pixels(block, size);
+    const auto boxes = figure_bounds();
+    const PixelBox box = boxes ? pixels_of(*boxes, block.view_projection, size) : PixelBox{{0, 0}, size};
     if (box.low == box.high) return;
     layer_.begin(size, params.samples, box);
     const bool floor_hides =
@@ -88,17 +131,21 @@ void SceneView::draw_smooth_figures(const ViewParams& params, const ViewBlock& b
     layer_.lay_over(viewport.framebuffer);
 }
 
+void SceneView::set_view(const ViewBlock& block)
+{
+    if (view_block_.size_bytes() == 0) view_block_ = Buffer(sizeof block, nullptr, GL_STREAM_DRAW);
+    view_block_.update(0, std::as_bytes(std::span(&block, 1)));
+    view_block_.bind_block(GL_UNIFORM_BUFFER, BLOCK_VIEW);
+}
+
 void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport)
 {
     assert(viewport.width > 0 && viewport.height > 0);
     prepare(params.look);
-    const LookPrograms& programs = *programs_[static_cast<std::size_t>(params.look)];
     const float aspect = float(viewport.width) / float(viewport.height);
     const Camera camera = make_camera(params, aspect);
     const ViewBlock block = make_view_block(params, camera, floor_of(params, bodies.bodies, bodies.time_s));
-    if (view_block_.size_bytes() == 0) view_block_ = Buffer(sizeof block, nullptr, GL_STREAM_DRAW);
-    view_block_.update(0, std::as_bytes(std::span(&block, 1)));
-    view_block_.bind_block(GL_UNIFORM_BUFFER, BLOCK_VIEW);
+    set_view(block);
     cloth_.set_positions(positions, normals_of(params.look));
     bodies_.set_bodies(bodies.bodies, bodies.time_s);
     begin_picture(viewport);
@@ -106,10 +153,13 @@ void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInT
     begin_picture(viewport);
     // Every pixel is drawn, so only the depth is cleared.
     glClear(GL_DEPTH_BUFFER_BIT);
-    if (params.samples == 1) draw_figures(params);
-    if (params.floor) stage_.draw_floor(programs.floor);
-    stage_.draw_background(programs.background);
-    if (params.samples > 1) draw_smooth_figures(params, block, viewport);
+    if (params.samples == 1) {
+        draw_figures(params);
+        draw_stage(*programs_[static_cast<std::size_t>(params.look)], params.floor);
+    } else {
+        draw_kept_stage(params, block, viewport);
+        draw_smooth_figures(params, block, viewport);
+    }
     glBindVertexArray(0);
     barrier_draw_to_compute();
 }

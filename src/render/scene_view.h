@@ -4,12 +4,14 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/vec4.hpp>
 
 #include "gl/buffer.h"
 #include "gl/framebuffer.h"
 #include "model/body.h"
+#include "render/backdrop.h"
 #include "render/body_renderer.h"
 #include "render/cloth_renderer.h"
 #include "render/fabric_light.h"
@@ -46,8 +48,9 @@ class SceneView
     // Positions that the CPU holds, as a buffer that the draws below take.
     GLuint upload_positions(std::span<const glm::vec4> positions) { return cloth_.upload_positions(positions); }
 
-    // Draws into `viewport`, one sample a pixel, but cloth and bodies smoothed by params.samples; `positions` is a buffer of one vec4 a vertex (xyz [m] used), read as all earlier kernels
-    // leave it. Sets all the OpenGL state it relies on; `viewport.framebuffer` stays bound.
+    // Draws into `viewport`, one sample a pixel, but cloth and bodies smoothed by params.samples; `positions` is a buffer
+    // of one vec4 a vertex (xyz [m] used), read as all earlier kernels leave it. Sets all the OpenGL state it relies
+    // on; `viewport.framebuffer` stays bound. While the camera rests, only what moves and its shadow are drawn anew.
     void draw(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, const Viewport& viewport);
 
     // Draws params.width x height pixels off screen and waits for them.
@@ -58,13 +61,18 @@ class SceneView
 
   private:
     void cast_shadows(const ViewParams& params, const ViewBlock& block, float aspect);
+    void draw_stage(const LookPrograms& programs, bool floor) const;
+    void draw_kept_stage(const ViewParams& params, const ViewBlock& block, const Viewport& viewport);
+    PixelBox shadow_pixels(const ViewParams& params, const ViewBlock& block, glm::ivec2 size) const;
+    void set_view(const ViewBlock& block);
     void draw_figures(const ViewParams& params) const;
     void draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport);
-    PixelBox figure_pixels(const ViewBlock& block, glm::ivec2 size) const;
+    std::optional<std::vector<Bounds>> figure_bounds() const;
 
     ClothRenderer cloth_;
     BodyRenderer bodies_;
     StageRenderer stage_;
+    Backdrop backdrop_;
     FigureLayer layer_;
     std::array<std::optional<LookPrograms>, 3> programs_;  // by look
     std::optional<FloorShadow> floor_shadow_;              // of the looks without a light of their own

