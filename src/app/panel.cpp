@@ -14,6 +14,7 @@ namespace nuno {
 namespace {
 
 constexpr float kMargin = 10, kSideWidth = 400, kCostWidth = 280;
+constexpr float kRoomForCost = 1.8f;  // widths of the picture at which it is open at first
 constexpr std::array<std::string_view, 2> kOpenGroups{"wind", "stiffness"};
 
 bool opens_at_first(std::string_view group)
@@ -116,6 +117,9 @@ void Panel::draw_cost(const ViewerSession& session, ViewerMeters& meters)
     ImGui::SetNextWindowPos({size_.x - margin - width, margin},
                             place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({width, 0});
+    // In a small window it would hide the cloth.
+    ImGui::SetNextWindowCollapsed(size_.x - width_ < kRoomForCost * width,
+                                  place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin("Cost", nullptr, flags)) draw_cost_panel(session, meters, log_, scale_);
     note_place();

@@ -52,7 +52,8 @@ void set_colours(ImVec4* colours)
     colours[ImGuiCol_WindowBg] = {kPanelColour.r, kPanelColour.g, kPanelColour.b, kPanelColour.a};
     colours[ImGuiCol_PopupBg] = {0.13f, 0.14f, 0.165f, 1};
     colours[ImGuiCol_Border] = {0.24f, 0.27f, 0.31f, 1};
-    colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] = {0.145f, 0.16f, 0.19f, 1};
+    colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] =
+        colours[ImGuiCol_TitleBgCollapsed] = {0.145f, 0.16f, 0.19f, 1};
     colours[ImGuiCol_FrameBg] = {0.17f, 0.19f, 0.225f, 1};
     colours[ImGuiCol_FrameBgHovered] = dim;
     colours[ImGuiCol_FrameBgActive] = bright;
