@@ -96,6 +96,7 @@ PanelRequests Panel::draw_side(ViewerSession& session)
     width_ = ImGui::GetWindowWidth();
     draw_scene_list(session);
     requests = draw_buttons(session);
+    requests.save = draw_transport(session, log_);
     const Simulation& simulation = session.simulation();
     const std::string state =
         fmt::format("{:.2f} s, frame {}, {}", simulation.time_s(), simulation.frame(), simulation.solver_name());
@@ -104,6 +105,7 @@ PanelRequests Panel::draw_side(ViewerSession& session)
     ImGui::BeginChild("parameters");
     draw_trade_slider(session, log_);
     draw_parameters(session);
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) session.end_drag();
     ImGui::EndChild();
     ImGui::End();
     return requests;
@@ -132,7 +134,11 @@ void Panel::draw_scene_list(ViewerSession& session)
     ImGui::SetNextItemWidth(-1);
     const bool open = ImGui::BeginCombo("##scene", present.c_str(), ImGuiComboFlags_HeightLarge);
     if (open) {
-        if (ImGui::IsWindowAppearing()) scenes_ = scene_names();
+        if (ImGui::IsWindowAppearing()) {
+            scenes_ = saved_scene_names();
+            const std::vector<std::string> others = scene_names();
+            scenes_.insert(scenes_.end(), others.begin(), others.end());
+        }
         for (const std::string& name : scenes_) {
             if (ImGui::Selectable(name.c_str(), name == present)) session.load(name);
             note_control(log_, "scene=" + name);
@@ -228,6 +234,7 @@ void Panel::draw_parameters(ViewerSession& session)
     for (const std::string_view group : ordered_groups(sim_param_table()))
         if (const auto edit = params_.draw_group(rows, group, opens_at_first(group)))
             session.set_sim_param(*edit->info, edit->value);
+    draw_presets(session, log_);
 
     const ViewParams view = session.view();
     const ParamRows view_rows{view_param_table(), &view, &session.file_view(), kind_of_view_row};

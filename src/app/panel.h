@@ -33,7 +33,7 @@ struct ViewerMeters
 // What the user asked for that the panel cannot do itself.
 struct PanelRequests
 {
-    bool screenshot = false, frame_all = false;
+    bool screenshot = false, frame_all = false, save = false;
 };
 
 class Panel
@@ -77,6 +77,15 @@ void draw_cost_panel(const ViewerSession& session, ViewerMeters& meters, ViewerL
 
 // The section with the slider from fast to accurate.
 void draw_trade_slider(ViewerSession& session, ViewerLog& log);
+
+// The rows with one frame back, undo, redo, save, slow motion and the frames kept. Whether to save.
+bool draw_transport(ViewerSession& session, ViewerLog& log);
+
+// The section with a button for each preset.
+void draw_presets(ViewerSession& session, ViewerLog& log);
+
+// File names of the saved scenes in the working directory: NAME.toml with NAME.state beside it.
+std::vector<std::string> saved_scene_names();
 
 // Begins the window in the middle that lists keys and mouse movements, and fills it; the caller ends it. `open` becomes
 // false where it is closed.

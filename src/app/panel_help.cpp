@@ -18,7 +18,12 @@ constexpr Line kMouse[] = {{"Left drag on the cloth", "drags the nearest vertex"
                            {".toml dropped here", "shows that scene"}};
 constexpr Line kKeys[] = {{"Space", "pause, play"},
                           {"N or Right", "one frame"},
+                          {"Left", "one frame back"},
                           {"R", "restart"},
+                          {", and .", "slower, faster"},
+                          {"Ctrl+Z", "undo a change"},
+                          {"Ctrl+Y, Ctrl+Shift+Z", "redo it"},
+                          {"Ctrl+S", "save as a scene"},
                           {"F", "show all of the cloth"},
                           {"S or F12", "photo: nuno_0001.png, ..."},
                           {"Tab", "hide or show the panels"},

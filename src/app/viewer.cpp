@@ -49,6 +49,7 @@ class Viewer
   private:
     bool frame(const WindowInput& input);
     void handle_keys(const std::vector<KeyEvent>& keys);
+    void handle_command(const KeyEvent& event);
     void handle_key(int key);
     void frame_all();
     void stir();
@@ -58,6 +59,8 @@ class Viewer
     PointerArea picture_area() const;
     void draw_panel(const PointerArea& area);
     void take_photo();
+    void save();
+    void tell_written(const std::string& name);
     void note_start();
     void end_shown_frame();
 
@@ -214,6 +217,7 @@ void Viewer::draw_panel(const PointerArea& area)
     log_.end_controls();
     ui_.draw();
     glFinish();
+    if (requests.save) save();
     photo_asked_ = photo_asked_ || requests.screenshot;
 }
 
@@ -240,12 +244,29 @@ void Viewer::note_start()
 void Viewer::handle_keys(const std::vector<KeyEvent>& keys)
 {
     for (const KeyEvent& event : keys) {
-        if (event.modified) continue;
+        if (event.modified) {
+            if (event.control) handle_command(event);
+            continue;
+        }
         const bool step = event.printed == GLFW_KEY_N || event.printed == GLFW_KEY_RIGHT;
         if (step)
             add_stats(session_.step());
+        else if (event.printed == GLFW_KEY_LEFT)
+            session_.show_frame(session_.simulation().frame() - 1);
         else if (!event.repeated)
             handle_key(event.printed);
+    }
+}
+
+void Viewer::handle_command(const KeyEvent& event)
+{
+    switch (event.printed) {
+    case GLFW_KEY_S:
+        if (!event.repeated) save();
+        break;
+    case GLFW_KEY_Z: event.shift ? session_.redo() : session_.undo(); break;
+    case GLFW_KEY_Y: session_.redo(); break;
+    default: break;
     }
 }
 
@@ -254,6 +275,8 @@ void Viewer::handle_key(int key)
     switch (key) {
     case GLFW_KEY_SPACE: session_.set_paused(!session_.paused()); break;
     case GLFW_KEY_R: session_.restart(); break;
+    case GLFW_KEY_COMMA: session_.set_slowness(2 * session_.time().slowness()); break;
+    case GLFW_KEY_PERIOD: session_.set_slowness(session_.time().slowness() / 2); break;
     case GLFW_KEY_F: frame_all(); break;
     case GLFW_KEY_S:
     case GLFW_KEY_F12: photo_asked_ = true; break;
@@ -281,12 +304,26 @@ void Viewer::take_photo()
 {
     try {
         const std::string name = write_photo(read_window(pixels_)).string();
-        panel_.notice = "wrote " + name;
-        since_notice_ = {};
-        log_.action("wrote {}", name);
+        tell_written(name);
     } catch (const std::exception& error) {
         session_.note_error(error);
     }
+}
+
+void Viewer::save()
+{
+    try {
+        tell_written(session_.save().string());
+    } catch (const std::exception& error) {
+        session_.note_error(error);
+    }
+}
+
+void Viewer::tell_written(const std::string& name)
+{
+    panel_.notice = "wrote " + name;
+    since_notice_ = {};
+    log_.action("wrote {}", name);
 }
 
 }  // namespace

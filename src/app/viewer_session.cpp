@@ -53,6 +53,7 @@ void ViewerSession::show(ViewerScene scene)
     picture_ = make_picture(*simulation);
     simulation_ = std::move(simulation);
     promise_.reset();
+    history_.clear();
     view_ = scene.view;
     file_view_ = file_view;
     started();
@@ -77,6 +78,7 @@ void ViewerSession::started()
     judge_stability();
     tell_of_start();
     ++start_count_;
+    time_.begin(*simulation_);
     log_.set_frame(0);
 }
 
@@ -138,12 +140,15 @@ void ViewerSession::after_frame(const FrameStats& frame)
     if (record_) recorder_.add(frame, simulation_->diagnostics());
     trade_.add_frame(frame);
     keep_promise(frame);
+    time_.note_frame(*simulation_);
 }
 
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
 {
     if (is_at_rest()) return {};
-    return run([&] { return simulation_->advance(elapsed_s, [&](const FrameStats& frame) { after_frame(frame); }); });
+    return run([&] {
+        return simulation_->advance(elapsed_s / time_.slowness(), [&](const FrameStats& frame) { after_frame(frame); });
+    });
 }
 
 std::vector<FrameStats> ViewerSession::step()
@@ -182,30 +187,7 @@ void ViewerSession::load(const std::string& name_or_path)
     }
 }
 
-void ViewerSession::set_sim_param(const ParamInfo& info, double value)
-{
-    SimParams params = simulation_->asked_params();
-    try {
-        set_param(info, &params, value, "panel");
-        give_up_measuring();
-        if (is_chosen_by_auto(info.name) || needs_restart(info.name)) promise_.reset();
-        // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
-        const ClothModel* before = &simulation_->model();
-        simulation_->set_params(params);
-        log_.action("{} = {}", info.name, param_text(info, value));
-        if (!went_bad_) error_.clear();
-        if (&simulation_->model() != before) {
-            picture_ = make_picture(*simulation_);
-            started();
-            trade_.rebuilt(simulation_->scene(), simulation_->asked_params());
-        }
-        trade_.forget_frames();
-        judge_stability();
-        tell_of_start();
-    } catch (const std::exception& error) {
-        note_error(error);
-    }
-}
+void ViewerSession::rebuild_picture() { picture_ = make_picture(*simulation_); }
 
 void ViewerSession::use_stable_substeps()
 {
@@ -213,10 +195,10 @@ void ViewerSession::use_stable_substeps()
     if (went_bad_) restart();
 }
 
-void ViewerSession::set_view_param(const ParamInfo& info, double value)
+void ViewerSession::set_slowness(int slowness)
 {
-    set_param(info, &view_, value, "panel");
-    log_.action("{} = {}", info.name, param_text(info, value));
+    time_.set_slowness(std::clamp(slowness, 1, SessionTime::kMostSlowness));
+    log_.action("speed 1/{}", time_.slowness());
 }
 
 void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "app/param_history.h"
+#include "app/presets.h"
+#include "app/session_time.h"
 #include "app/trade_slider.h"
 #include "app/viewer.h"
 #include "app/viewer_log.h"
@@ -34,7 +37,7 @@ class ViewerSession
 
     bool paused() const { return paused_; }
     bool is_at_rest() const { return paused_ || trade_.is_measuring(); }
-    bool went_bad() const { return went_bad_; }  // only a restart helps
+    bool went_bad() const { return went_bad_; }  // only a restart or an earlier frame helps
     // What was refused last, or how the simulation went bad; empty where all is well.
     const std::string& error() const { return error_; }
     void note_error(const std::exception& error);
@@ -56,6 +59,21 @@ class ViewerSession
     // Sets the number of substeps that is stable, and starts again where the simulation went bad.
     void use_stable_substeps();
     void set_view_param(const ParamInfo& info, double value);
+    void use_preset(const Preset& preset);
+
+    // Changes of parameters, of presets and of the slider; the camera moved by the mouse is none of them.
+    const ParamHistory& history() const { return history_; }
+    void undo();
+    void redo();
+    void end_drag() { history_.end_drag(); }
+    // Writes the cloth as it is as NAME_0001.toml or the next free name, with its .state, into the working directory.
+    std::filesystem::path save();
+
+    const SessionTime& time() const { return time_; }
+    void set_slowness(int slowness);  // brought into its range
+    void keep_frames(bool keep) { time_.keep_frames(keep, *simulation_); }
+    // Pauses at the kept frame nearest to this one; nothing where none is kept.
+    void show_frame(int frame);
 
     // The slider from fast to accurate.
     const TradeSlider& trade() const { return trade_; }
@@ -85,6 +103,9 @@ class ViewerSession
     void after_frame(const FrameStats& frame);
     void begin_promise();
     void set_rung(std::size_t rung);
+    void rebuild_picture();
+    bool change_sim_params(const SimParams& params, const std::string& told);
+    bool set_values(const std::vector<ParamHistory::Value>& values, const std::string& told);
 
     ViewerLog& log_;
     SceneLoader load_;
@@ -95,6 +116,8 @@ class ViewerSession
     std::unique_ptr<PromiseKeeper> promise_;
     TradeSlider trade_;
     ViewParams view_, file_view_;
+    ParamHistory history_;
+    SessionTime time_;
     RunRecorder recorder_;
     bool paused_, went_bad_ = false;
     std::string error_;

@@ -53,8 +53,11 @@ void ViewerSession::begin_promise()
 
 void ViewerSession::use_rung(std::size_t rung)
 {
+    const SimParams before = simulation_->asked_params();
     promise_.reset();
     set_rung(rung);
+    const SimParams after = simulation_->asked_params();
+    history_.record("speed and accuracy", changes_between(sim_param_table(), &before, &after), true);
 }
 
 void ViewerSession::set_rung(std::size_t rung)

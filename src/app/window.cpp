@@ -144,7 +144,8 @@ void Window::watch_keys_and_files()
         input.any = true;
         if (action == GLFW_RELEASE || key < 0) return;
         const bool modified = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0;
-        input.keys.push_back({key, key_as_printed(key, scancode), action == GLFW_REPEAT, modified});
+        const bool control = (mods & GLFW_MOD_CONTROL) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
+        input.keys.push_back({key, key_as_printed(key, scancode), action == GLFW_REPEAT, modified, control, shift});
     });
     glfwSetDropCallback(handle_, [](GLFWwindow* handle, int count, const char** paths) {
         WindowInput& input = window_of(handle).input_;

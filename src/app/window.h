@@ -35,6 +35,7 @@ struct KeyEvent
     int printed;  // the same, but of a letter as the keyboard's layout has it
     bool repeated;
     bool modified;  // Ctrl, Alt or Super was down
+    bool control, shift;
 };
 
 struct WindowInput

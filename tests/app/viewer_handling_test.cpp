@@ -1,0 +1,73 @@
+// Time, changes and saving in the window, by keys and mouse.
+#include "app/viewer_driver.h"
+
+namespace nuno {
+namespace {
+
+TEST_F(ViewerTest, keys_go_back_slow_down_and_take_back)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.key("n n n");
+    viewer.program().wait_for("frame 3: stepped");
+    viewer.key("Left");
+    EXPECT_EQ(viewer.wait_for("shown").frame, 2);
+    viewer.key("comma");
+    viewer.wait_for("speed 1/2");
+    viewer.key("period");
+    viewer.wait_for("speed 1/1");
+    const ControlPlace slider = viewer.control("wind_strength");
+    viewer.click(slider.x(0.8), slider.y());
+    const std::string value = viewer.wait_for("wind_strength = (.*)").groups[1];
+    EXPECT_NE(value, "2");
+    viewer.key("ctrl+z");
+    viewer.wait_for("undone wind_strength");
+    viewer.key("ctrl+shift+z");
+    viewer.wait_for("redone wind_strength");
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
+TEST_F(ViewerTest, the_bar_shows_an_earlier_frame)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.key("n n n n n n");
+    viewer.program().wait_for("frame 6: stepped");
+    const ControlPlace bar = viewer.control("frame");
+    viewer.click(bar.x(0.05), bar.y());
+    EXPECT_EQ(viewer.wait_for("shown").frame, 0);
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
+TEST_F(ViewerTest, a_preset_is_one_click)
+{
+    ViewerDriver viewer({"seed", "--paused", "--size", "1280x1000"});
+    const ControlPlace group = viewer.control("group presets");
+    viewer.click(group.x(), group.y());
+    const ControlPlace gale = viewer.control("button gale");
+    viewer.click(gale.x(), gale.y());
+    viewer.wait_for("preset gale");
+    viewer.key("ctrl+z");
+    viewer.wait_for("undone gale");
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
+TEST_F(ViewerTest, a_saved_scene_goes_on_with_the_same_bits)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.key("n n n n n");
+    viewer.program().wait_for("frame 5: stepped");
+    viewer.key("ctrl+s");
+    const std::string name = viewer.wait_for("wrote (\\S+)").groups[1];
+    EXPECT_EQ(name, "seed_0001.toml");
+    viewer.key("n");
+    viewer.program().wait_for("frame 6: stepped");
+    EXPECT_EQ(viewer.quit(), 0);
+    const ProgramResult whole = run_program({"render", "seed", "--frames", "7", "--no-images", "--hash"}, {});
+    const ProgramResult went_on =
+        run_program({"render", (viewer.directory() / name).string(), "--frames", "2", "--no-images", "--hash"}, {});
+    EXPECT_EQ(went_on.exit_code, 0);
+    ASSERT_NE(whole.out.find("state-hash "), std::string::npos);
+    EXPECT_EQ(went_on.out.substr(went_on.out.find("state-hash ")), whole.out.substr(whole.out.find("state-hash ")));
+}
+
+}  // namespace
+}  // namespace nuno
