@@ -15,6 +15,7 @@
 #define UNIT_KEY_COMPARED 11
 #define UNIT_KEY_DEPTH 12
 #define UNIT_LAYER 13
+#define UNIT_HEAT 14
 
 #define ATTRIBUTE_POSITION 0
 #define ATTRIBUTE_NORMAL 1
@@ -23,12 +24,19 @@
 #define ATTRIBUTE_BODY_X 4
 #define ATTRIBUTE_BODY_Y 5
 #define ATTRIBUTE_BODY_Z 6
+#define ATTRIBUTE_MARK_FROM 0
+#define ATTRIBUTE_MARK_TO 1
+#define ATTRIBUTE_MARK_COLOUR 2
 
 #define LOCATION_TEXTURE_SCALE 0
 #define LOCATION_WEAVE_SCALE 1
 #define LOCATION_NORMAL_COUNT 0
 #define LOCATION_BLUR_STEP 0
 #define LOCATION_SAMPLE_COUNT 0
+#define LOCATION_HEAT_OF_FACES 0
+#define LOCATION_PICTURE_SIZE 0
+#define LOCATION_MARK_SCALE 1
+#define LOCATION_MARK_STRENGTH 2
 
 // A shadow on the floor is as soft as what throws it is high, up to this height [m].
 #define SHADOW_HEIGHT 2.0

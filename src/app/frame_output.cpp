@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cloth_view.h"
+#include "app/overlays.h"
 #include "app/video_file.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
@@ -17,6 +18,7 @@ struct FrameOutput::Pictures
 {
     explicit Pictures(const Simulation& simulation) : scene_view(make_scene_view(simulation)) {}
     SceneView scene_view;
+    Overlays overlays;
     FrameWriter writer;
     std::optional<VideoFile> video;
 };
@@ -45,6 +47,7 @@ void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
     if (positions == 0) positions = pictures_->scene_view.upload_positions(simulation.state().positions);
     stage_ms.upload += watch.lap_ms();
     Picture picture;
+    pictures_->scene_view.set_overlay(pictures_->overlays.gather(view_, simulation));
     pictures_->scene_view.draw_picture(view_, positions, {simulation.scene().bodies, simulation.time_s()}, picture);
     stage_ms.render += watch.lap_ms();
     if (pictures_->video) pictures_->video->add(picture);

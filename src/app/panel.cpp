@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/panel_controls.h"
+#include "app/panel_legend.h"
 #include "core/error.h"
 
 namespace nuno {
@@ -70,7 +71,8 @@ PanelRequests Panel::draw(ViewerSession& session, ViewerMeters& meters)
         requests = draw_side(session);
         draw_cost(session, meters);
     }
-    draw_messages(session);
+    const float free_height = draw_messages(session);
+    draw_legend(session.legend(), {{covered_width(), 0}, {size_.x, free_height}, scale_}, log_);
     if (help) {
         begin_help(help);
         note_place();
@@ -175,9 +177,9 @@ PanelRequests Panel::draw_buttons(ViewerSession& session)
 }
 
 // Over the picture, so that the rows of the panel stay under the mouse.
-void Panel::draw_messages(ViewerSession& session)
+float Panel::draw_messages(ViewerSession& session)
 {
-    if (session.error().empty() && !session.stability_warning() && notice.empty()) return;
+    if (session.error().empty() && !session.stability_warning() && notice.empty()) return size_.y;
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                              ImGuiWindowFlags_NoNav;
@@ -202,7 +204,9 @@ void Panel::draw_messages(ViewerSession& session)
         if (substeps > 0 && message_button(fmt::format("Use {} substeps", substeps))) session.use_stable_substeps();
     }
     if (!notice.empty()) text_line({0.56f, 0.80f, 0.60f, 1}, notice);
+    const float top = ImGui::GetWindowPos().y;
     ImGui::End();
+    return top;
 }
 
 void Panel::note_place()

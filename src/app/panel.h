@@ -59,7 +59,8 @@ class Panel
     void draw_scene_list(ViewerSession& session);
     PanelRequests draw_buttons(ViewerSession& session);
     void draw_parameters(ViewerSession& session);
-    void draw_messages(ViewerSession& session);
+    // The height from which on they cover the picture.
+    float draw_messages(ViewerSession& session);
     bool message_button(const std::string& text);
     void note_place();
 

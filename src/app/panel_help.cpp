@@ -27,6 +27,11 @@ constexpr Line kKeys[] = {{"Space", "pause, play"},
                           {"F", "show all of the cloth"},
                           {"S or F12", "photo: nuno_0001.png, ..."},
                           {"Tab", "hide or show the panels"},
+                          {"1, 2", "wireframe, springs"},
+                          {"3, 4", "colours: strain, speed"},
+                          {"5, 6", "contacts, tree boxes"},
+                          {"7, 8", "colours: culled, asleep"},
+                          {"9, 0", "pins, wind"},
                           {"H or F1", "this list"},
                           {"Q or Esc", "close"}};
 

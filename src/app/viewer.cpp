@@ -12,6 +12,7 @@
 
 #include "app/interrupt.h"
 #include "app/machine.h"
+#include "app/overlay_keys.h"
 #include "app/panel.h"
 #include "app/viewer_log.h"
 #include "app/viewer_picture.h"
@@ -287,7 +288,7 @@ void Viewer::handle_key(int key)
         if (!std::exchange(panel_.help, false)) window_.close();
         break;
     case GLFW_KEY_Q: window_.close(); break;
-    default: break;
+    default: press_overlay_key(key, session_); break;
     }
 }
 

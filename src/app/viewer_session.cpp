@@ -51,6 +51,7 @@ void ViewerSession::show(ViewerScene scene)
     const ViewParams file_view = read_view(scene.scene);
     auto simulation = std::make_unique<Simulation>(std::move(scene.scene), scene.params);
     picture_ = make_picture(*simulation);
+    overlays_ = {};
     simulation_ = std::move(simulation);
     promise_.reset();
     history_.clear();
@@ -187,7 +188,11 @@ void ViewerSession::load(const std::string& name_or_path)
     }
 }
 
-void ViewerSession::rebuild_picture() { picture_ = make_picture(*simulation_); }
+void ViewerSession::rebuild_picture()
+{
+    picture_ = make_picture(*simulation_);
+    overlays_ = {};
+}
 
 void ViewerSession::use_stable_substeps()
 {
@@ -211,6 +216,7 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
     else if (positions == 0)
         positions = picture_->upload_positions(simulation_->state().positions);
     stage_ms.upload += watch.elapsed_ms();
+    picture_->set_overlay(went_bad_ ? nullptr : overlays_.gather(view_, *simulation_));
     picture_->draw(view_, positions, {simulation_->scene().bodies, simulation_->time_s()}, viewport);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/overlays.h"
 #include "app/param_history.h"
 #include "app/presets.h"
 #include "app/session_time.h"
@@ -34,6 +35,9 @@ class ViewerSession
     const ViewParams& file_view() const { return file_view_; }
     // Draws the present positions with the parameters of view(); adds the time of an upload to `stage_ms`.
     void draw(const Viewport& viewport, StageTimes& stage_ms);
+
+    // Of what the last draw showed over the picture.
+    const OverlayLegend& legend() const { return overlays_.legend(); }
 
     bool paused() const { return paused_; }
     bool is_at_rest() const { return paused_ || trade_.is_measuring(); }
@@ -112,6 +116,7 @@ class ViewerSession
     bool record_, quiet_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<SceneView> picture_;
+    Overlays overlays_;
     std::optional<AutoGoal> goal_;  // that was promised
     std::unique_ptr<PromiseKeeper> promise_;
     TradeSlider trade_;

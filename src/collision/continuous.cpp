@@ -116,9 +116,9 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
                                      CollisionCounts& counts)
 {
     const LayerRest rest{model_.rest_positions, sheet_numbers_, settings.thickness};
-    std::vector<Impact> all;
     std::vector<glm::dvec3> start, positions;
     std::vector<double> inverse_masses;
+    impacts_.clear();
     std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{1});
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Impact> impacts = find_impacts(pass, settings.culling, counts);
@@ -133,8 +133,8 @@ bool ContinuousCollision::push_apart(const LayerPass& pass, const LayerSettings&
         positions.assign(pass.end.begin(), pass.end.end());
         for (Impact& impact : impacts)
             impact.target = std::min(kImpactGap * double(settings.thickness), double(kept_distance(impact.pair, rest)));
-        all.insert(all.end(), impacts.begin(), impacts.end());
-        answer_impacts(all, start, {double(settings.friction), double(settings.static_friction), inverse_masses},
+        impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
+        answer_impacts(impacts_, start, {double(settings.friction), double(settings.static_friction), inverse_masses},
                        positions);
 
         std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});

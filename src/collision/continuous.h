@@ -54,6 +54,11 @@ class ContinuousCollision
     // left. Start must be free of intersections for that to hold; pairs that touch there are let alone.
     CollisionCounts respond(const LayerPass& pass, const LayerSettings& settings);
 
+    // What the last calls of both found; it lasts until the next ones. An impact that came back in a later round is
+    // there again.
+    std::span<const LayerContact> foreseen() const { return foreseen_.contacts; }
+    std::span<const Impact> impacts() const { return impacts_; }
+
     // Writes what later queries take from earlier ones, or reads it.
     void carry(Archive& archive) { query_.carry(archive); }
 
@@ -73,6 +78,7 @@ class ContinuousCollision
     std::vector<std::uint32_t> sheet_numbers_;  // of every vertex
     SpeculativeContacts foreseen_;
     std::vector<SpeculativeContacts> foreseen_of_task_;
+    std::vector<Impact> impacts_;  // of all rounds of the pass
     std::vector<glm::vec4> ways_;  // of every vertex in the pass
     std::vector<std::vector<Impact>> impacts_of_task_;
     std::vector<std::uint64_t> pairs_of_task_;

@@ -104,22 +104,30 @@ void SceneView::draw_kept_stage(const ViewParams& params, const ViewBlock& block
     glDisable(GL_SCISSOR_TEST);
 }
 
-void SceneView::draw_figures(const ViewParams& params) const
+void SceneView::draw_figures(const ViewParams& params)
 {
     const LookPrograms& programs = *programs_[static_cast<std::size_t>(params.look)];
     TextureScale scale{params.texture_scale, {}};
     if (params.look == Look::cloth) scale.thread_spacing = params.thread_spacing;
     // First what mostly hides the other, so that little is shaded twice.
-    cloth_.draw(programs.cloth, scale);
+    if (overlay_ && !overlay_->heat.values.empty())
+        overlay_renderer_->draw_cloth(overlay_->heat, cloth_);
+    else
+        cloth_.draw(programs.cloth, scale);
     programs.body.use();
     bodies_.draw_faces();
+}
+
+void SceneView::draw_marks(glm::ivec2 size)
+{
+    if (overlay_) overlay_renderer_->draw_marks(*overlay_, size);
 }
 
 // Over what stands around them, which the picture holds already.
 void SceneView::draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport)
 {
     const glm::ivec2 size(viewport.width, viewport.height);
-    const auto boxes = figure_bounds();
+    const auto boxes = overlay_ ? std::nullopt : figure_bounds();  // marks may lie anywhere
     const PixelBox box = boxes ? pixels_of(*boxes, block.view_projection, size) : PixelBox{{0, 0}, size};
     if (box.low == box.high) return;
     layer_.begin(size, params.samples, box);
@@ -127,6 +135,7 @@ void SceneView::draw_smooth_figures(const ViewParams& params, const ViewBlock& b
         params.floor && glm::dot(glm::vec3(block.floor_plane), glm::vec3(block.eye)) > block.floor_plane.w;
     if (floor_hides) glEnable(GL_CLIP_DISTANCE0);
     draw_figures(params);
+    draw_marks(size);
     glDisable(GL_CLIP_DISTANCE0);
     layer_.lay_over(viewport.framebuffer);
 }
@@ -142,6 +151,7 @@ void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInT
 {
     assert(viewport.width > 0 && viewport.height > 0);
     prepare(params.look);
+    if (overlay_ && !overlay_renderer_) overlay_renderer_.emplace();
     const float aspect = float(viewport.width) / float(viewport.height);
     const Camera camera = make_camera(params, aspect);
     const ViewBlock block = make_view_block(params, camera, floor_of(params, bodies.bodies, bodies.time_s));
@@ -156,6 +166,7 @@ void SceneView::draw(const ViewParams& params, GLuint positions, const BodiesInT
     if (params.samples == 1) {
         draw_figures(params);
         draw_stage(*programs_[static_cast<std::size_t>(params.look)], params.floor);
+        draw_marks({viewport.width, viewport.height});
     } else {
         draw_kept_stage(params, block, viewport);
         draw_smooth_figures(params, block, viewport);

@@ -18,6 +18,7 @@
 #include "render/figure_layer.h"
 #include "render/floor_shadow.h"
 #include "render/look_programs.h"
+#include "render/overlay_renderer.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
 #include "render/view_block.h"
@@ -56,6 +57,10 @@ class SceneView
     // Draws params.width x height pixels off screen and waits for them.
     void draw_picture(const ViewParams& params, GLuint positions, const BodiesInTime& bodies, Picture& picture);
 
+    // What the draws from now on lay over the picture, until this is called again; nullptr, as at first: nothing. It
+    // must stay until then.
+    void set_overlay(const Overlay* overlay) { overlay_ = overlay; }
+
     // Makes what a look draws with, unless it is there: else its first picture does.
     void prepare(Look look);
 
@@ -65,7 +70,8 @@ class SceneView
     void draw_kept_stage(const ViewParams& params, const ViewBlock& block, const Viewport& viewport);
     PixelBox shadow_pixels(const ViewParams& params, const ViewBlock& block, glm::ivec2 size) const;
     void set_view(const ViewBlock& block);
-    void draw_figures(const ViewParams& params) const;
+    void draw_figures(const ViewParams& params);
+    void draw_marks(glm::ivec2 size);
     void draw_smooth_figures(const ViewParams& params, const ViewBlock& block, const Viewport& viewport);
     std::optional<std::vector<Bounds>> figure_bounds() const;
 
@@ -77,6 +83,8 @@ class SceneView
     std::array<std::optional<LookPrograms>, 3> programs_;  // by look
     std::optional<FloorShadow> floor_shadow_;              // of the looks without a light of their own
     std::optional<FabricLight> fabric_light_;              // of the look `cloth`
+    const Overlay* overlay_ = nullptr;
+    std::optional<OverlayRenderer> overlay_renderer_;  // made with the first overlay
     Buffer view_block_;
     std::optional<Framebuffer> target_;
 };

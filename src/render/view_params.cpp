@@ -6,11 +6,13 @@ namespace {
 
 constexpr std::string_view kLooks[] = {"gouraud", "phong", "cloth"};
 constexpr std::string_view kBackgrounds[] = {"studio", "daylight", "night"};
+constexpr std::string_view kHeats[] = {"none", "strain", "speed", "culled", "asleep"};
 
 }  // namespace
 
 std::span<const std::string_view> choice_names(Look) { return kLooks; }
 std::span<const std::string_view> choice_names(Background) { return kBackgrounds; }
+std::span<const std::string_view> choice_names(Heat) { return kHeats; }
 
 ParamTable view_param_table()
 {

@@ -21,9 +21,19 @@ enum class Background : std::int32_t
     daylight,
     night
 };
+// What the cloth is coloured by in place of its texture.
+enum class Heat : std::int32_t
+{
+    none,
+    strain,
+    speed,
+    culled,
+    asleep
+};
 
 std::span<const std::string_view> choice_names(Look);
 std::span<const std::string_view> choice_names(Background);
+std::span<const std::string_view> choice_names(Heat);
 
 struct ViewParams
 {

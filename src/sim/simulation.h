@@ -15,6 +15,7 @@
 #include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
+#include "sim/last_pass.h"
 #include "sim/rest_watch.h"
 #include "sim/saved_state.h"
 #include "sim/start_check.h"
@@ -67,6 +68,9 @@ class Simulation
 
     // The state now; copied from the device when first asked for after a frame.
     const ClothState& state();
+    // Looking at these changes nothing of the run.
+    LastPass last_pass() const;
+    bool is_asleep() const { return rest_watch_.is_at_rest(); }
     Diagnostics diagnostics() { return measure(*model_, state(), params_); }
     // OpenGL name of the positions, 0 on the cpu backend.
     std::uint32_t position_buffer() const { return solver_->position_buffer(); }
@@ -122,8 +126,9 @@ class Simulation
     bool positions_fresh_ = false, velocities_fresh_ = false;
     std::vector<glm::vec4> start_positions_;  // of the last pass, where the level sees ahead; none: there was none
     float pass_s_ = 0;                        // how long that was
-    int chosen_passes_ = 1;                   // for the next frame, where passes are chosen
-    std::vector<glm::vec4> pass_positions_;   // at the last pass, for counting what went through since
+    CollisionLevel last_level_ = CollisionLevel::none;  // of the last pass; none: there was none since the start
+    int chosen_passes_ = 1;                             // for the next frame, where passes are chosen
+    std::vector<glm::vec4> pass_positions_;             // at the last pass, for counting what went through since
     StartCheck start_check_;
     RestWatch rest_watch_;
     std::optional<Held> held_;

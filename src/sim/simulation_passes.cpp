@@ -84,6 +84,7 @@ void Simulation::run_passes(FrameStats& stats)
     follow_stretch();
     stats.stage_ms.solve = measuring.lap_ms();
     stats.substeps = params_.substeps;
+    last_level_ = params_.collision;
     const double h = double(substep_s(params_));
     const int substeps = params_.substeps, passes = sees_ahead(params_.collision)
                                                         ? foresee_frame(stats)

@@ -21,6 +21,7 @@ void Simulation::begin_at(ClothState state, int frame, double time_s)
     start_positions_.clear();
     layers_.reset();  // a query may go through the pairs of the one before
     chosen_passes_ = 1;
+    last_level_ = CollisionLevel::none;
     rest_watch_.wake();
 }
 

@@ -8,6 +8,7 @@
 #include "gl/shader_folder.h"
 #include "meta/tree.h"
 #include "model/cloth_model.h"
+#include "render/overlay_renderer.h"
 #include "render/scene_view.h"
 #include "solver/method_table.h"
 #include "support/bodies.h"
@@ -54,6 +55,7 @@ void compile_everything(const Bodies& bodies, bool as_mesh)
     }
     SceneView view({model.vertex_count(), model.faces, model.uvs, {}, {}});
     for (std::size_t look = 0; look < choice_names(Look{}).size(); ++look) view.prepare(static_cast<Look>(look));
+    const OverlayRenderer overlays;
 }
 
 // The shaders of the source tree by their path under shaders/, the formulas that C++ shares included.

@@ -68,6 +68,14 @@ class FaceTree
     FaceBox face_box(std::uint32_t face) const;
     std::span<const glm::uvec3> faces() const { return faces_; }
 
+    // For pictures: how many levels below the root the lowest nodes are, and the boxes that the last refit has made so
+    // many levels below it.
+    int depth() const { return static_cast<int>(layout_.levels.size()) - 1; }
+    std::vector<FaceBox> node_boxes(int depth) const;
+    // Of each face, what a query after the last refit leaves out for it cannot touch: 0 nothing, 1 the faces around it, 1 + n all faces
+    // below the same node as it, n levels above the lowest nodes.
+    std::vector<int> left_out() const;
+
     // For tests: 4, 8 or 16 floats a vector, if the machine has them.
     void use_lanes(int lanes) { kernels_ = &tree_kernels(lanes); }
 
