@@ -107,7 +107,7 @@ std::filesystem::path ViewerSession::save()
     const std::string& name = simulation_->scene().name;
     if (went_bad_) throw Error(name + ": its numbers are no longer finite; restart before saving");
     for (int number = 1; number < 10000; ++number) {
-        const std::filesystem::path path = fmt::format("{}_{:04}.toml", name, number);
+        std::filesystem::path path = fmt::format("{}_{:04}.toml", name, number);
         std::filesystem::path state = path;
         std::error_code status;
         if (exists(path, status) || exists(state.replace_extension(".state"), status)) continue;

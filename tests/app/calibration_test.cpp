@@ -87,6 +87,7 @@ TEST_F(CalibrationTest, a_ladder_rises_in_cost_and_is_remembered_as_it_was_measu
 
 TEST_F(CalibrationTest, what_is_remembered_is_of_this_cloth_and_this_goal_alone)
 {
+    params_.resolution = 9;
     Calibration calibration;
     calibration.start(scene_, params_, goal_);
     ASSERT_TRUE(result_of(calibration).ladder);
@@ -127,6 +128,7 @@ TEST_F(CalibrationTest, an_object_that_goes_takes_its_thread_with_it)
 
 TEST_F(CalibrationTest, the_slider_knows_its_rungs_and_what_was_changed_since)
 {
+    params_.resolution = 9;
     TradeSlider slider(goal_);
     slider.start(scene_, params_);
     EXPECT_FALSE(slider.ladder());
