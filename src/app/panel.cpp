@@ -70,6 +70,7 @@ PanelRequests Panel::draw(ViewerSession& session, ViewerMeters& meters)
     if (visible) {
         requests = draw_side(session);
         draw_cost(session, meters);
+        draw_plot_window(session, meters.plots);
     }
     const float free_height = draw_messages(session);
     draw_legend(session.legend(), {{covered_width(), 0}, {size_.x, free_height}, scale_}, log_);
@@ -126,6 +127,27 @@ void Panel::draw_cost(const ViewerSession& session, ViewerMeters& meters)
                                   place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin("Cost", nullptr, flags)) draw_cost_panel(session, meters, log_, scale_);
+    note_place();
+    ImGui::End();
+}
+
+// Its title alone at first, beside the costs or, in a small window, under them.
+void Panel::draw_plot_window(const ViewerSession& session, const PlottedValues& values)
+{
+    const float margin = kMargin * scale_, free_width = size_.x - width_;
+    const float width = std::min(kCostWidth * scale_, free_width - 2 * margin);
+    const bool is_beside = free_width >= 2 * width + 3 * margin;
+    const ImVec2 corner = is_beside ? ImVec2(size_.x - 2 * (margin + width), margin)
+                                    : ImVec2(size_.x - margin - width, 1.5f * margin + ImGui::GetFrameHeight());
+    ImGui::SetNextWindowPos(corner, place_again_ ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("Plots", nullptr, flags)) draw_plots(values, session.simulation().time_s(), log_, scale_);
+    // The arrow of its title.
+    const ImVec2 place = ImGui::GetWindowPos();
+    const float side = ImGui::GetFrameHeight();
+    log_.control("plots", glm::ivec4(place.x, place.y, side, side));
     note_place();
     ImGui::End();
 }

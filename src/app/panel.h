@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include "app/panel_params.h"
+#include "app/panel_plots.h"
 #include "app/stage_graph.h"
 #include "app/viewer_log.h"
 #include "app/viewer_pace.h"
@@ -28,6 +29,7 @@ struct ViewerMeters
     std::optional<Diagnostics> diagnostics;     // of some frame lately; none where the user turned them off
     std::optional<PresentStability> stability;  // of the same frame
     bool measure = true;                        // the checkbox: diagnostics copy the cloth from the device
+    PlottedValues plots;
 };
 
 // What the user asked for that the panel cannot do itself.
@@ -56,6 +58,7 @@ class Panel
   private:
     PanelRequests draw_side(ViewerSession& session);
     void draw_cost(const ViewerSession& session, ViewerMeters& meters);
+    void draw_plot_window(const ViewerSession& session, const PlottedValues& values);
     void draw_scene_list(ViewerSession& session);
     PanelRequests draw_buttons(ViewerSession& session);
     void draw_parameters(ViewerSession& session);

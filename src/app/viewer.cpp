@@ -159,6 +159,7 @@ void Viewer::add_stats(const std::vector<FrameStats>& stats)
         for (const StageInfo& stage : kStages) stage_ms_.*stage.ms += frame.stage_ms.*stage.ms;
         simulated_s_ += 1.0 / session_.simulation().params().frame_rate;
         meters_.count = frame.count;
+        meters_.plots.add(frame.frame / double(session_.simulation().params().frame_rate), frame.count);
     }
     simulated_frames_ += static_cast<int>(stats.size());
     frames_to_measurement_ -= static_cast<int>(stats.size());
@@ -170,6 +171,7 @@ void Viewer::measure()
     if (meters_.diagnostics && frames_to_measurement_ > 0) return;
     meters_.diagnostics = session_.simulation().diagnostics();
     meters_.stability = session_.simulation().stability();
+    meters_.plots.add(session_.simulation().time_s(), *meters_.diagnostics);
     frames_to_measurement_ = kFramesPerMeasurement;
 }
 
@@ -240,6 +242,7 @@ void Viewer::note_start()
     window_.set_title("nuno - " + session_.simulation().scene().name);
     meters_.diagnostics.reset();
     meters_.count = {};
+    meters_.plots = {};
 }
 
 void Viewer::handle_keys(const std::vector<KeyEvent>& keys)

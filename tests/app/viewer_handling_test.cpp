@@ -1,5 +1,6 @@
 // Time, changes and saving in the window, by keys and mouse.
 #include "app/viewer_driver.h"
+#include "render/texture_file.h"
 
 namespace nuno {
 namespace {
@@ -67,6 +68,31 @@ TEST_F(ViewerTest, a_saved_scene_goes_on_with_the_same_bits)
     EXPECT_EQ(went_on.exit_code, 0);
     ASSERT_NE(whole.out.find("state-hash "), std::string::npos);
     EXPECT_EQ(went_on.out.substr(went_on.out.find("state-hash ")), whole.out.substr(whole.out.find("state-hash ")));
+}
+
+TEST_F(ViewerTest, plots_open_and_show_the_last_seconds)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.click_control("plots");
+    const ControlPlace plot = viewer.control("plot energies");
+    viewer.control("plot strain");
+    viewer.control("plot counts");
+    std::string steps;
+    for (int i = 0; i < 30; ++i) steps += "n ";
+    viewer.key(steps);
+    viewer.program().wait_for("frame 30: stepped");
+    viewer.key("s");
+    const Picture photo = load_picture(viewer.directory() / viewer.wait_for("wrote (\\S+)").groups[1], 4096);
+    // The line of the kinetic energy is blue.
+    int blue = 0;
+    for (int y = plot.top; y < plot.top + plot.height; ++y)
+        for (int x = plot.left; x < plot.left + plot.width; ++x) {
+            const std::uint8_t* pixel = &photo.rgba[4 * static_cast<std::size_t>(y * photo.width + x)];
+            blue += pixel[2] > 150 && pixel[2] > 2 * pixel[0];
+        }
+    EXPECT_GT(blue, 5);
+    EXPECT_LT(blue, plot.width * plot.height / 4);
+    EXPECT_EQ(viewer.quit(), 0);
 }
 
 }  // namespace
