@@ -184,9 +184,9 @@ void Viewer::show(const WindowInput& input)
         log_.action("help {}", panel_.help ? "shown" : "hidden");
     if (std::exchange(panel_has_keys_, ui_.wants_keys()) != ui_.wants_keys())
         log_.action("keys go to the {}", panel_has_keys_ ? "panel" : "picture");
-    if (!panel_has_keys_) handle_keys(input.keys);
     const PointerArea area = picture_area();
     pointer_.handle(input.pointer, area, session_);
+    if (!panel_has_keys_) handle_keys(input.keys);
     if (session_.start_count() != start_count_) note_start();
     double panel_ms = watch.lap_ms();
 
@@ -279,6 +279,7 @@ void Viewer::handle_key(int key)
     switch (key) {
     case GLFW_KEY_SPACE: session_.set_paused(!session_.paused()); break;
     case GLFW_KEY_R: session_.restart(); break;
+    case GLFW_KEY_P: pointer_.toggle_pin(picture_area(), session_); break;
     case GLFW_KEY_COMMA: session_.set_slowness(2 * session_.time().slowness()); break;
     case GLFW_KEY_PERIOD: session_.set_slowness(session_.time().slowness() / 2); break;
     case GLFW_KEY_F: frame_all(); break;

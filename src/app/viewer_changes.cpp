@@ -102,6 +102,20 @@ void ViewerSession::redo()
     if (!set_values(history_.redo(), told)) history_.undo();
 }
 
+void ViewerSession::toggle_pin(std::uint32_t vertex)
+{
+    try {
+        give_up_measuring();
+        simulation_->set_pinned(vertex, !simulation_->is_pinned(vertex));
+        time_.note_frame(*simulation_);  // in place of the one with the pins before
+        log_.action("{} vertex {}", simulation_->is_pinned(vertex) ? "pinned" : "let go of", vertex);
+        if (!went_bad_) error_.clear();
+        judge_stability();
+    } catch (const std::exception& error) {
+        note_error(error);
+    }
+}
+
 std::filesystem::path ViewerSession::save()
 {
     const std::string& name = simulation_->scene().name;

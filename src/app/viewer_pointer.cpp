@@ -48,19 +48,33 @@ void ViewerPointer::press(const PointerEvent& event, const PointerArea& area, Vi
     last_place_ = event.place;
     if (button_ != GLFW_MOUSE_BUTTON_LEFT)
         motion_ = Motion::pan;
+    else if (event.shift)
+        toggle_pin(area, session);
     else
         motion_ = take_vertex(event.place, area, session) ? Motion::drag : Motion::orbit;
 }
 
+std::optional<std::uint32_t> ViewerPointer::vertex_under(glm::vec2 place, const PointerArea& area,
+                                                         ViewerSession& session)
+{
+    if (session.went_bad()) return std::nullopt;
+    Simulation& simulation = session.simulation();
+    return pick_vertex(simulation.state().positions, simulation.model().faces, pick_view(session.view(), area.size),
+                       place, kReach * area.scale);
+}
+
+void ViewerPointer::toggle_pin(const PointerArea& area, ViewerSession& session)
+{
+    if (const auto vertex = vertex_under(last_place_, area, session)) session.toggle_pin(*vertex);
+}
+
 bool ViewerPointer::take_vertex(glm::vec2 place, const PointerArea& area, ViewerSession& session)
 {
-    Simulation& simulation = session.simulation();
-    if (session.went_bad()) return false;
-    const PickView view = pick_view(session.view(), area.size);
-    const std::span<const glm::vec4> positions = simulation.state().positions;
-    const auto vertex = pick_vertex(positions, simulation.model().faces, view, place, kReach * area.scale);
+    const auto vertex = vertex_under(place, area, session);
     if (!vertex) return false;
-    const glm::vec3 position(positions[*vertex]);
+    Simulation& simulation = session.simulation();
+    const PickView view = pick_view(session.view(), area.size);
+    const glm::vec3 position(simulation.state().positions[*vertex]);
     drag_.emplace(*vertex, position, view.camera.forward, ray_through(view.camera, place, area.size));
     drag_start_count_ = session.start_count();
     simulation.hold_vertex(*vertex, drag_->target());

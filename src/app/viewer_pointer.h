@@ -29,6 +29,8 @@ class ViewerPointer
     explicit ViewerPointer(ViewerLog& log) : log_(log) {}
 
     void handle(const std::vector<PointerEvent>& events, const PointerArea& area, ViewerSession& session);
+    // Pins the vertex under the pointer where it is, or lets it go.
+    void toggle_pin(const PointerArea& area, ViewerSession& session);
     // True while a button that was pressed on the picture is down.
     bool busy() const { return motion_ != Motion::none; }
     // Marks the vertex that is dragged, and how far it is from the mouse, on top of the picture.
@@ -45,6 +47,7 @@ class ViewerPointer
     void press(const PointerEvent& event, const PointerArea& area, ViewerSession& session);
     void move(glm::vec2 place, const PointerArea& area, ViewerSession& session);
     void release(const PointerEvent& event, ViewerSession& session);
+    static std::optional<std::uint32_t> vertex_under(glm::vec2 place, const PointerArea& area, ViewerSession& session);
     bool take_vertex(glm::vec2 place, const PointerArea& area, ViewerSession& session);
     void log_camera(const ViewParams& view);
 

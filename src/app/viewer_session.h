@@ -73,6 +73,9 @@ class ViewerSession
     // Writes the cloth as it is as NAME_0001.toml or the next free name, with its .state, into the working directory.
     std::filesystem::path save();
 
+    // Pins a vertex where it is, or lets it go, until the next restart.
+    void toggle_pin(std::uint32_t vertex);
+
     const SessionTime& time() const { return time_; }
     void set_slowness(int slowness);  // brought into its range
     void keep_frames(bool keep) { time_.keep_frames(keep, *simulation_); }

@@ -19,6 +19,7 @@ namespace nuno {
 struct HandlePin
 {
     std::uint32_t vertex, handle;
+    bool operator==(const HandlePin&) const = default;
 };
 
 // One sheet as a scene asks for it.

@@ -53,6 +53,7 @@ void Simulation::build(const SimParams& asked)
     layers_.reset();
     pool_ = std::move(pool);
     model_ = std::move(model);
+    scene_pins_ = {model_->pinned, model_->handle_pins};
     start_ = std::move(start);
     stiffest_mode_.clear();
     asked_ = asked;
@@ -71,6 +72,7 @@ void Simulation::restart()
         start_check_ = check_now(params_);
         return;
     }
+    use_pins(scene_pins_);
     ClothState state = start_state(*model_, params_);
     start_check_ = check_start(*model_, params_, state.positions, *pool_);
     begin_at(std::move(state), 0, 0);

@@ -80,6 +80,12 @@ class Simulation
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
 
+    bool is_pinned(std::uint32_t vertex) const { return model_->pinned[vertex] != 0; }
+    // Pins a vertex where it is now, or lets it go; until the next restart, after which the scene's own pins hold. The
+    // solver is made anew, with the state carried over, as for another method. One that the scene puts on a handle can
+    // only be let go: Error where it is to be pinned again.
+    void set_pinned(std::uint32_t vertex, bool pinned);
+
     // How stable the parameters are where the cloth is now; the frequency is found anew each time, from where it was
     // found last. Nothing where a vertex is lost.
     std::optional<PresentStability> stability();
@@ -92,6 +98,15 @@ class Simulation
     StartCheck check_now(SimParams params);
     void begin_at(ClothState state, int frame, double time_s);
     void carry(Archive& archive);
+    // Which vertices do not move by themselves.
+    struct Pins
+    {
+        std::vector<std::uint8_t> pinned;    // one a vertex
+        std::vector<HandlePin> handle_pins;  // in order of their vertices
+        bool operator==(const Pins&) const = default;
+    };
+    Pins pins_of(const ClothState& state) const;
+    void use_pins(Pins pins);
     void download();
     void follow_stretch();
     bool may_sleep(FrameStats& stats);
@@ -118,6 +133,7 @@ class Simulation
     SimParams asked_, params_;
     std::unique_ptr<ThreadPool> pool_;
     std::unique_ptr<ClothModel> model_;
+    Pins scene_pins_;
     std::unique_ptr<ClothSolver> solver_;
     std::unique_ptr<SelfCollision> collision_;
     std::unique_ptr<ContinuousCollision> layers_;  // made where the level needs it

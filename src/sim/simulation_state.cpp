@@ -68,6 +68,7 @@ void Simulation::resume(const SavedState& saved)
         throw Error(
             fmt::format("{}: the state is of a cloth of {} vertices, not of {}; set resolution back, or restart",
                         scene_.name, saved.cloth.positions.size(), model_->vertex_count()));
+    use_pins(pins_of(saved.cloth));
     ClothState cloth = saved.cloth;
     if (saved.asked.areal_density != params_.areal_density)
         for (std::uint32_t v = 0; v < model_->vertex_count(); ++v)

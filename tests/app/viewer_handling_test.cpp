@@ -95,5 +95,29 @@ TEST_F(ViewerTest, plots_open_and_show_the_last_seconds)
     EXPECT_EQ(viewer.quit(), 0);
 }
 
+TEST_F(ViewerTest, a_click_with_shift_and_a_key_pin_a_vertex_and_let_it_go)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.key_down("shift");
+    viewer.click(800, 300);
+    const std::string vertex = viewer.wait_for("pinned vertex ([0-9]+)").groups[1];
+    viewer.key_up("shift");
+    viewer.key("p");
+    EXPECT_EQ(viewer.wait_for("let go of vertex ([0-9]+)").groups[1], vertex);
+    viewer.key("p");
+    viewer.wait_for("pinned vertex " + vertex);
+    // It stays where it is while the cloth around it falls: it is taken at the place where it was pinned.
+    viewer.key("n n n n n n n n n n");
+    viewer.program().wait_for("frame 10: stepped");
+    viewer.press(800, 300);
+    EXPECT_EQ(viewer.wait_for("holding vertex ([0-9]+)").groups[1], vertex);
+    viewer.release();
+    viewer.key("r");
+    viewer.wait_for("restarted");
+    viewer.key("p");
+    viewer.wait_for("pinned vertex " + vertex);
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
 }  // namespace
 }  // namespace nuno

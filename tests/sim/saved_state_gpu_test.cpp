@@ -56,5 +56,27 @@ INSTANTIATE_TEST_SUITE_P(Methods, SavedOnGpu,
                                          std::tuple(Method::vbd, Sweep::automatic, CollisionLevel::discrete),
                                          std::tuple(Method::verlet, Sweep::automatic, CollisionLevel::guaranteed)));
 
+TEST(PinsOnGpu, are_those_of_the_cpu_to_the_bit)
+{
+    const auto context = make_headless_context();
+    const Scene scene = SavedSceneFolder().scene();
+    for (const Method method : {Method::symplectic_euler, Method::xpbd}) {
+        std::string hashes[2];
+        for (const Backend backend : {Backend::cpu, Backend::gpu}) {
+            SimParams params = scene.params;
+            params.method = method;
+            params.sweep = Sweep::coloured;
+            params.backend = backend;
+            Simulation simulation(scene, params);
+            advance_frames(simulation, 5);
+            simulation.set_pinned(40, true);
+            simulation.set_pinned(simulation.model().vertex_count() - 1, false);
+            advance_frames(simulation, 10);
+            hashes[std::size_t(backend)] = hash_text(simulation.state());
+        }
+        EXPECT_EQ(hashes[0], hashes[1]) << int(method);
+    }
+}
+
 }  // namespace
 }  // namespace nuno
