@@ -34,6 +34,14 @@ FrameOutput::FrameOutput(const OutputPlan& plan, const Simulation& simulation, c
 
 FrameOutput::~FrameOutput() = default;
 
+void FrameOutput::set_view(const ViewParams& view)
+{
+    const int width = view_.width, height = view_.height;
+    view_ = view;
+    view_.width = width;
+    view_.height = height;
+}
+
 void FrameOutput::write(Simulation& simulation, StageTimes& stage_ms)
 {
     if (pictures_) write_image(simulation, stage_ms);

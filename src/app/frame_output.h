@@ -29,6 +29,8 @@ class FrameOutput
     FrameOutput(const OutputPlan& plan, const Simulation& simulation, const ViewParams& view);
     ~FrameOutput();
 
+    // What is seen from the next frame on; the size of the pictures stays.
+    void set_view(const ViewParams& view);
     // Writes what the plan says of the present frame; adds render and encode times [ms] to `stage_ms`.
     void write(Simulation& simulation, StageTimes& stage_ms);
     // Waits until every file is whole, with the frames so far, also after write() has thrown. The first Error where

@@ -261,6 +261,7 @@ void Panel::draw_parameters(ViewerSession& session)
         if (const auto edit = params_.draw_group(rows, group, opens_at_first(group)))
             session.set_sim_param(*edit->info, edit->value);
     draw_presets(session, log_);
+    draw_record(session, log_);
 
     const ViewParams view = session.view();
     const ParamRows view_rows{view_param_table(), &view, &session.file_view(), kind_of_view_row};

@@ -88,6 +88,9 @@ bool draw_transport(ViewerSession& session, ViewerLog& log);
 // The section with a button for each preset.
 void draw_presets(ViewerSession& session, ViewerLog& log);
 
+// The section for recording.
+void draw_record(ViewerSession& session, ViewerLog& log);
+
 // File names of the saved scenes in the working directory: NAME.toml with NAME.state beside it.
 std::vector<std::string> saved_scene_names();
 

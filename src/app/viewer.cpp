@@ -63,6 +63,7 @@ class Viewer
     void save();
     void tell_written(const std::string& name);
     void note_start();
+    void finish_recording();
     void end_shown_frame();
 
     ViewerOptions options_;
@@ -113,6 +114,7 @@ int Viewer::run()
         const double rest_s = minimised ? kMinimisedWaitS : session_.is_at_rest() ? kPausedWaitS : kPlayingWaitS;
         shown = frame(window_.poll(shown ? 0 : rest_s));
     }
+    finish_recording();
     if (!options_.json.empty())
         session_.write_report(options_.json, machine_info(&meters_.gl, session_.simulation().thread_count()),
                               frames_.json());
@@ -121,6 +123,14 @@ int Viewer::run()
                 frames_.skipped());
     log_.action("closed");
     return static_cast<int>(interrupted() ? ExitCode::interrupted : ExitCode::done);
+}
+
+// Nobody sees the message in the window any more.
+void Viewer::finish_recording()
+{
+    if (!session_.recording().is_on()) return;
+    session_.stop_recording();
+    if (!session_.error().empty()) fmt::print(stderr, "nuno: {}\n", session_.error());
 }
 
 // True where something was drawn; a window in which nothing changes is left alone.
@@ -215,6 +225,10 @@ PointerArea Viewer::picture_area() const
 void Viewer::draw_panel(const PointerArea& area)
 {
     if (since_notice_.elapsed_ms() > kNoticeMs) panel_.notice.clear();
+    if (std::string recorded = session_.take_recorded(); !recorded.empty()) {
+        panel_.notice = std::move(recorded);
+        since_notice_ = {};
+    }
     const PanelRequests requests = panel_.draw(session_, meters_);
     pointer_.draw_mark(area, session_);
     log_.end_controls();
@@ -279,6 +293,7 @@ void Viewer::handle_key(int key)
     switch (key) {
     case GLFW_KEY_SPACE: session_.set_paused(!session_.paused()); break;
     case GLFW_KEY_R: session_.restart(); break;
+    case GLFW_KEY_V: session_.toggle_recording(); break;
     case GLFW_KEY_P: pointer_.toggle_pin(picture_area(), session_); break;
     case GLFW_KEY_COMMA: session_.set_slowness(2 * session_.time().slowness()); break;
     case GLFW_KEY_PERIOD: session_.set_slowness(session_.time().slowness() / 2); break;

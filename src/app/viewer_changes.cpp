@@ -134,6 +134,7 @@ std::filesystem::path ViewerSession::save()
 void ViewerSession::show_frame(int frame)
 {
     if (trade_.is_measuring() || time_.frames().empty()) return;
+    stop_recording();
     set_paused(true);
     time_.show(*simulation_, frame);
     if (promise_) promise_->restart();

@@ -76,6 +76,7 @@ void ViewerSession::started()
     if (went_bad_) paused_ = false;
     went_bad_ = false;
     error_.clear();
+    stop_recording();
     judge_stability();
     tell_of_start();
     ++start_count_;
@@ -142,6 +143,7 @@ void ViewerSession::after_frame(const FrameStats& frame)
     trade_.add_frame(frame);
     keep_promise(frame);
     time_.note_frame(*simulation_);
+    record_frame();
 }
 
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)

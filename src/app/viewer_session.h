@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/overlays.h"
@@ -14,6 +15,7 @@
 #include "app/trade_slider.h"
 #include "app/viewer.h"
 #include "app/viewer_log.h"
+#include "app/viewer_recording.h"
 #include "render/scene_view.h"
 #include "sim/run_recorder.h"
 #include "sim/simulation.h"
@@ -76,6 +78,14 @@ class ViewerSession
     // Pins a vertex where it is, or lets it go, until the next restart.
     void toggle_pin(std::uint32_t vertex);
 
+    // Records every frame from the present one on, or ends that; so does a restart, another scene, and going back.
+    RecordingPlan& recording_plan() { return recording_plan_; }
+    const ViewerRecording& recording() const { return recording_; }
+    void toggle_recording();
+    void stop_recording();
+    // What the last recording wrote, once; empty where there is nothing new.
+    std::string take_recorded() { return std::exchange(recorded_, {}); }
+
     const SessionTime& time() const { return time_; }
     void set_slowness(int slowness);  // brought into its range
     void keep_frames(bool keep) { time_.keep_frames(keep, *simulation_); }
@@ -107,6 +117,7 @@ class ViewerSession
     template <class Run>
     std::vector<FrameStats> run(Run run);
     void keep_promise(const FrameStats& frame);
+    void record_frame();
     void after_frame(const FrameStats& frame);
     void begin_promise();
     void set_rung(std::size_t rung);
@@ -126,6 +137,9 @@ class ViewerSession
     ViewParams view_, file_view_;
     ParamHistory history_;
     SessionTime time_;
+    RecordingPlan recording_plan_;
+    ViewerRecording recording_;
+    std::string recorded_;
     RunRecorder recorder_;
     bool paused_, went_bad_ = false;
     std::string error_;
