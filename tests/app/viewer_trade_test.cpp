@@ -17,6 +17,12 @@ std::string rung_line(int rung, int count)
     return "rung " + std::to_string(rung) + " of " + std::to_string(count) + ": (.*)";
 }
 
+// The number of its rungs. Measuring takes seconds, but on a loaded machine a minute.
+std::string wait_for_ladder(ViewerDriver& viewer)
+{
+    return viewer.program().wait_for("ladder of ([0-9]+) rungs measured", 120)[1];
+}
+
 // Puts the slider to its end: 0 fast, 1 accurate.
 void drag_slider_to(ViewerDriver& viewer, double share)
 {
@@ -34,7 +40,7 @@ TEST_F(ViewerTest, a_ladder_is_measured_moved_along_and_remembered)
         ViewerDriver viewer(kSmall, 0, memory.path());
         viewer.click_control("button Measure");
         viewer.wait_for("measuring");
-        rungs = std::stoi(viewer.wait_for("ladder of ([0-9]+) rungs measured").groups[1]);
+        rungs = std::stoi(wait_for_ladder(viewer));
         ASSERT_GT(rungs, 2);
         drag_slider_to(viewer, 0.99);
         const auto accurate = viewer.wait_for(rung_line(rungs, rungs));
@@ -81,7 +87,7 @@ TEST_F(ViewerTest, a_promise_opens_the_window_at_once_and_is_kept_when_a_setting
     words.insert(words.end(), {"--error", "3"});
     ViewerDriver viewer(words);
     EXPECT_TRUE(viewer.program().latest("ladder of").empty()) << "measured before there was a window";
-    viewer.wait_for("ladder of ([0-9]+) rungs measured");
+    wait_for_ladder(viewer);
     const auto kept = viewer.wait_for("rung [0-9]+ of [0-9]+: (.*)");
     EXPECT_EQ(kept.frame, 0) << "the cloth rests until there is a setting";
     EXPECT_NE(kept.groups[1].find("method="), std::string::npos);
