@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 
 #include "meta/markdown.h"
 #include "meta/tree.h"
@@ -74,6 +75,24 @@ TEST(Docs, the_page_of_parameters_is_what_the_program_prints)
     ASSERT_EQ(printed.exit_code, 0) << printed.err;
     EXPECT_TRUE(printed.out == read_file("docs/parameters.md"))
         << "docs/parameters.md is stale; `nuno params --markdown > docs/parameters.md` writes it anew";
+}
+
+// docs/gallery/refresh runs these blocks.
+TEST(Docs, the_gallery_makes_every_picture_that_it_shows)
+{
+    const std::string gallery = read_file("docs/gallery/README.md");
+    std::string code;
+    for (const std::string& block : code_blocks(gallery, "sh")) code += block;
+    int count = 0;
+    for (const std::string& link : relative_links(gallery)) {
+        if (fs::path(link).extension() != ".png") continue;
+        ++count;
+        const std::string of_level = std::regex_replace(link, std::regex("_(discrete|guaranteed)\\."), "_$level.");
+        EXPECT_TRUE(code.find(".png " + link + "\n") != std::string::npos ||
+                    code.find(".png " + of_level + "\n") != std::string::npos)
+            << link;
+    }
+    EXPECT_GE(count, 16);
 }
 
 TEST(Docs, the_gallery_shows_every_scene)
