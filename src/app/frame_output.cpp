@@ -56,7 +56,7 @@ void FrameOutput::write_image(Simulation& simulation, StageTimes& stage_ms)
     stage_ms.upload += watch.lap_ms();
     Picture picture;
     pictures_->scene_view.set_overlay(pictures_->overlays.gather(view_, simulation));
-    pictures_->scene_view.draw_picture(view_, positions, {simulation.scene().bodies, simulation.time_s()}, picture);
+    pictures_->scene_view.draw_picture(view_, positions, {simulation.bodies(), simulation.time_s()}, picture);
     stage_ms.render += watch.lap_ms();
     if (pictures_->video) pictures_->video->add(picture);
     if (plan_.images)

@@ -12,7 +12,7 @@ namespace nuno {
 std::optional<std::string> software_remark(const Simulation& simulation, const GlInfo& gl)
 {
     if (!gl.software || simulation.params().backend != Backend::gpu) return std::nullopt;
-    const BackendSpeed speed = probe_backends(simulation.model(), simulation.scene().bodies, simulation.params());
+    const BackendSpeed speed = probe_backends(simulation.model(), simulation.bodies(), simulation.params());
     return fmt::format(
         "{} is a software renderer, so compute shaders run on the CPU; --backend cpu is {:.1f} times as fast here",
         gl.renderer, speed.gpu_ns / speed.cpu_ns);

@@ -11,6 +11,7 @@ namespace {
 
 using Line = std::pair<const char*, const char*>;
 constexpr Line kMouse[] = {{"Left drag on the cloth", "drags the nearest vertex"},
+                           {"Left drag on a body", "moves it; Ctrl: also under cloth"},
                            {"Left drag elsewhere", "turns the camera"},
                            {"Right or middle drag", "moves the picture"},
                            {"Wheel", "nearer, farther"},

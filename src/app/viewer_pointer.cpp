@@ -4,9 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <glm/geometric.hpp>
-
-#include "app/vertex_picker.h"
+#include "core/error.h"
 
 namespace nuno {
 namespace {
@@ -15,12 +13,17 @@ constexpr float kReach = 20;  // how far from the cloth it is still taken
 
 PickView pick_view(const ViewParams& view, glm::vec2 size) { return {make_camera(view, size.x / size.y), size}; }
 
+UnderPointer under_pointer(glm::vec2 place, const PointerArea& area, ViewerSession& session)
+{
+    return look_under(session.simulation(), pick_view(session.view(), area.size), place, kReach * area.scale);
+}
+
 }  // namespace
 
 void ViewerPointer::handle(const std::vector<PointerEvent>& events, const PointerArea& area, ViewerSession& session)
 {
-    if (drag_ && session.start_count() != drag_start_count_) {
-        drag_.reset();
+    if (grip_ && session.start_count() != grip_start_count_) {
+        grip_.reset();
         motion_ = Motion::none;
     }
     for (PointerEvent event : events) {
@@ -51,34 +54,30 @@ void ViewerPointer::press(const PointerEvent& event, const PointerArea& area, Vi
     else if (event.shift)
         toggle_pin(area, session);
     else
-        motion_ = take_vertex(event.place, area, session) ? Motion::drag : Motion::orbit;
-}
-
-std::optional<std::uint32_t> ViewerPointer::vertex_under(glm::vec2 place, const PointerArea& area,
-                                                         ViewerSession& session)
-{
-    if (session.went_bad()) return std::nullopt;
-    Simulation& simulation = session.simulation();
-    return pick_vertex(simulation.state().positions, simulation.model().faces, pick_view(session.view(), area.size),
-                       place, kReach * area.scale);
+        motion_ = take(event, area, session) ? Motion::drag : Motion::orbit;
 }
 
 void ViewerPointer::toggle_pin(const PointerArea& area, ViewerSession& session)
 {
-    if (const auto vertex = vertex_under(last_place_, area, session)) session.toggle_pin(*vertex);
+    if (session.went_bad()) return;
+    const UnderPointer under = under_pointer(last_place_, area, session);
+    if (under.vertex) session.toggle_pin(*under.vertex);
 }
 
-bool ViewerPointer::take_vertex(glm::vec2 place, const PointerArea& area, ViewerSession& session)
+bool ViewerPointer::take(const PointerEvent& event, const PointerArea& area, ViewerSession& session)
 {
-    const auto vertex = vertex_under(place, area, session);
-    if (!vertex) return false;
+    if (session.went_bad()) return false;
+    const UnderPointer under = under_pointer(event.place, area, session);
     Simulation& simulation = session.simulation();
-    const PickView view = pick_view(session.view(), area.size);
-    const glm::vec3 position(simulation.state().positions[*vertex]);
-    drag_.emplace(*vertex, position, view.camera.forward, ray_through(view.camera, place, area.size));
-    drag_start_count_ = session.start_count();
-    simulation.hold_vertex(*vertex, drag_->target());
-    log_.action("holding vertex {} at {:.4f} {:.4f} {:.4f}", *vertex, position.x, position.y, position.z);
+    try {
+        grip_ = ViewerGrip::take(simulation, pick_view(session.view(), area.size), event.place, under, event.control);
+    } catch (const Error& error) {
+        session.note_error(error);
+    }
+    if (!grip_) return false;
+    grip_start_count_ = session.start_count();
+    const glm::vec3 point = grip_->target();
+    log_.action("holding {} at {:.4f} {:.4f} {:.4f}", grip_->name(), point.x, point.y, point.z);
     return true;
 }
 
@@ -88,24 +87,30 @@ void ViewerPointer::move(glm::vec2 place, const PointerArea& area, ViewerSession
     last_place_ = place;
     switch (motion_) {
     case Motion::none: break;
-    case Motion::drag:
-        drag_->follow(ray_through(pick_view(session.view(), area.size).camera, place, area.size));
-        session.simulation().hold_vertex(drag_->vertex(), drag_->target());
-        break;
+    case Motion::drag: drag(area, session); break;
     case Motion::orbit: orbit(session.view(), way, area.size.y); break;
     case Motion::pan: pan(session.view(), way, area.size.y); break;
+    }
+}
+
+void ViewerPointer::drag(const PointerArea& area, ViewerSession& session)
+{
+    try {
+        grip_->follow(session.simulation(), pick_view(session.view(), area.size), last_place_);
+    } catch (const Error& error) {
+        session.note_error(error);
     }
 }
 
 void ViewerPointer::release(const PointerEvent& event, ViewerSession& session)
 {
     if (!busy() || event.button != button_) return;
-    if (drag_) {
+    if (grip_) {
         Simulation& simulation = session.simulation();
-        const glm::vec3 position(simulation.state().positions[drag_->vertex()]);
-        simulation.release_vertex();
-        log_.action("released vertex {} at {:.4f} {:.4f} {:.4f}", drag_->vertex(), position.x, position.y, position.z);
-        drag_.reset();
+        const glm::vec3 point = grip_->place(simulation).value_or(grip_->target());
+        grip_->release(simulation);
+        log_.action("released {} at {:.4f} {:.4f} {:.4f}", grip_->name(), point.x, point.y, point.z);
+        grip_.reset();
     } else {
         log_camera(session.view());
     }
@@ -121,12 +126,11 @@ void ViewerPointer::log_camera(const ViewParams& view)
 
 void ViewerPointer::draw_mark(const PointerArea& area, ViewerSession& session) const
 {
-    if (!drag_) return;
-    // A restart may have left fewer vertices.
-    const std::span<const glm::vec4> positions = session.simulation().state().positions;
-    if (drag_->vertex() >= positions.size()) return;
+    if (!grip_) return;
+    const std::optional<glm::vec3> point = grip_->place(session.simulation());
+    if (!point) return;
     const PickView view = pick_view(session.view(), area.size);
-    const auto place = project(view, glm::vec3(positions[drag_->vertex()])), target = project(view, drag_->target());
+    const auto place = project(view, *point), target = project(view, grip_->target());
     if (!place || !target) return;
     const ImVec2 centre(area.corner.x + place->x, area.corner.y + place->y);
     const ImVec2 hand(area.corner.x + target->x, area.corner.y + target->y);

@@ -1,4 +1,4 @@
-// What the mouse does to the picture: drags a vertex of the cloth, or moves the camera.
+// What the mouse does to the picture: drags a vertex of the cloth or a body, or moves the camera.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/vertex_drag.h"
+#include "app/viewer_grip.h"
 #include "app/viewer_log.h"
 #include "app/viewer_session.h"
 #include "app/window.h"
@@ -33,7 +33,7 @@ class ViewerPointer
     void toggle_pin(const PointerArea& area, ViewerSession& session);
     // True while a button that was pressed on the picture is down.
     bool busy() const { return motion_ != Motion::none; }
-    // Marks the vertex that is dragged, and how far it is from the mouse, on top of the picture.
+    // Marks what is dragged, and how far it is from the mouse, on top of the picture.
     void draw_mark(const PointerArea& area, ViewerSession& session) const;
 
   private:
@@ -46,17 +46,17 @@ class ViewerPointer
     };
     void press(const PointerEvent& event, const PointerArea& area, ViewerSession& session);
     void move(glm::vec2 place, const PointerArea& area, ViewerSession& session);
+    void drag(const PointerArea& area, ViewerSession& session);
     void release(const PointerEvent& event, ViewerSession& session);
-    static std::optional<std::uint32_t> vertex_under(glm::vec2 place, const PointerArea& area, ViewerSession& session);
-    bool take_vertex(glm::vec2 place, const PointerArea& area, ViewerSession& session);
+    bool take(const PointerEvent& event, const PointerArea& area, ViewerSession& session);
     void log_camera(const ViewParams& view);
 
     ViewerLog& log_;
     Motion motion_ = Motion::none;
     int button_ = -1;  // that started the motion
     glm::vec2 last_place_{0};
-    std::optional<VertexDrag> drag_;
-    int drag_start_count_ = 0;  // the session's when the vertex was taken
+    std::optional<ViewerGrip> grip_;
+    int grip_start_count_ = 0;  // the session's when it was taken
 };
 
 }  // namespace nuno

@@ -219,7 +219,7 @@ void ViewerSession::draw(const Viewport& viewport, StageTimes& stage_ms)
         positions = picture_->upload_positions(simulation_->state().positions);
     stage_ms.upload += watch.elapsed_ms();
     picture_->set_overlay(went_bad_ ? nullptr : overlays_.gather(view_, *simulation_));
-    picture_->draw(view_, positions, {simulation_->scene().bodies, simulation_->time_s()}, viewport);
+    picture_->draw(view_, positions, {simulation_->bodies(), simulation_->time_s()}, viewport);
 }
 
 void ViewerSession::write_report(const std::filesystem::path& path, const MachineInfo& machine,

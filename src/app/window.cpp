@@ -126,7 +126,8 @@ void Window::watch_pointer()
     glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int mods) {
         Window& window = window_of(handle);
         const auto kind = action == GLFW_PRESS ? PointerEvent::Kind::press : PointerEvent::Kind::release;
-        window.input_.pointer.push_back({kind, button, window.pointer_place_, 0, (mods & GLFW_MOD_SHIFT) != 0});
+        window.input_.pointer.push_back(
+            {kind, button, window.pointer_place_, 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
         window.input_.any = true;
     });
     glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double steps) {

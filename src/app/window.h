@@ -26,7 +26,7 @@ struct PointerEvent
     int button;       // GLFW's number, of press and release
     glm::vec2 place;  // in window coordinates, from the top left
     float steps;      // of the wheel, positive away from the user
-    bool shift = false;
+    bool shift = false, control = false;
 };
 
 // A key that went down, or that its keyboard repeats.

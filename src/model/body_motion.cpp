@@ -33,7 +33,25 @@ double local_time(const BodyMotion& motion, double time_s)
     return std::clamp(time_s, first, last);
 }
 
+Displacement of_keyframes(const BodyMotion& motion, double time_s)
+{
+    const std::vector<Keyframe>& keys = motion.keyframes;
+    if (keys.empty()) return {};
+    const double t = local_time(motion, time_s);
+    const auto next = std::find_if(keys.begin() + 1, keys.end(), [&](const Keyframe& key) { return key.time_s > t; });
+    if (next == keys.end()) return {rotation_of(keys.back()), keys.back().move};
+    const Keyframe &a = *(next - 1), &b = *next;
+    const double part = (t - a.time_s) / (b.time_s - a.time_s);
+    return between(a, b, motion.easing == Easing::smooth ? part * part * (3 - 2 * part) : part);
+}
+
 }  // namespace
+
+glm::dvec3 BodyShift::at(double time_s) const
+{
+    if (time_s >= to_s) return to;
+    return time_s <= from_s ? from : from + (time_s - from_s) / (to_s - from_s) * (to - from);
+}
 
 glm::dquat rotation_about(const glm::dvec3& axis, double angle)
 {
@@ -42,14 +60,9 @@ glm::dquat rotation_about(const glm::dvec3& axis, double angle)
 
 Displacement displacement_at(const BodyMotion& motion, double time_s)
 {
-    if (!motion.moves()) return {};
-    const std::vector<Keyframe>& keys = motion.keyframes;
-    const double t = local_time(motion, time_s);
-    const auto next = std::find_if(keys.begin() + 1, keys.end(), [&](const Keyframe& key) { return key.time_s > t; });
-    if (next == keys.end()) return {rotation_of(keys.back()), keys.back().move};
-    const Keyframe &a = *(next - 1), &b = *next;
-    const double part = (t - a.time_s) / (b.time_s - a.time_s);
-    return between(a, b, motion.easing == Easing::smooth ? part * part * (3 - 2 * part) : part);
+    Displacement displacement = of_keyframes(motion, time_s);
+    displacement.move += motion.shift.at(time_s);
+    return displacement;
 }
 
 Pose pose_at(const BodyMotion& motion, const Pose& rest, double time_s)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -33,19 +34,32 @@ enum class Easing : std::int32_t
     linear   // at constant speed from one to the next
 };
 
+// What a hand adds to a motion: evenly from one way [m] at one time to another at another; before and after them it
+// stays.
+struct BodyShift
+{
+    double from_s = 0, to_s = 0;
+    glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
+
+    glm::dvec3 at(double time_s) const;
+    bool operator==(const BodyShift&) const = default;
+};
+
 // Before the first keyframe the body is where that one says, after the last where the last says, or, where it repeats,
-// at the first again. No keyframes: it does not move.
+// at the first again. Neither keyframes nor a shift: it does not move.
 struct BodyMotion
 {
     std::vector<Keyframe> keyframes;  // in order of time, no two at the same
     Easing easing = Easing::smooth;
     bool repeat = false;
     std::optional<glm::dvec3> pivot;  // [m]; none: the body's own centre
+    BodyShift shift{};
+    std::string group;  // bodies of one group follow a hand together; empty: it follows alone
 
-    bool moves() const { return !keyframes.empty(); }
+    bool moves() const { return !keyframes.empty() || shift != BodyShift{}; }
 };
 
-// The motion at a time, without its pivot: a rotation and a way [m]. Between two keyframes about one axis the angle runs
+// The motion at a time, without its pivot: a rotation and a way [m], the shift among it. Between two keyframes about one axis the angle runs
 // evenly, so that it may be many turns; otherwise the rotation takes the short way round (slerp).
 struct Displacement
 {

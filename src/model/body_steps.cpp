@@ -43,7 +43,6 @@ float bound_of(const PlacedBody& body, bool is_plane)
 BodySteps::BodySteps(const Bodies& bodies, const ClothModel& model)
     : handles_(bodies.handles), model_(model), placed_(placed_bodies(bodies))
 {
-    for (const PlacedBody& body : placed_) moves_ = moves_ || body.motion->moves();
     for (std::size_t b = 0; b < placed_.size(); ++b) bounds_.push_back(bound_of(placed_[b], b < bodies.planes.size()));
     std::size_t start = 0;
     for (const PlacedBody& body : placed_) {
@@ -69,8 +68,10 @@ std::vector<float> BodySteps::grid_numbers() const
 
 void BodySteps::plan(double start_time_s, double h, int substep_count)
 {
+    const bool moved = moves_;
+    moves_ = std::any_of(placed_.begin(), placed_.end(), [](const PlacedBody& body) { return body.motion->moves(); });
     const int filled = moves_ ? substep_count : 1;
-    if (moves_ || body_steps_.empty()) {
+    if (moves_ || moved || body_steps_.empty()) {
         body_steps_.clear();
         for (int k = 0; k < filled; ++k)
             for (std::size_t b = 0; b < placed_.size(); ++b) {

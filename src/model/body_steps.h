@@ -34,7 +34,8 @@ class BodySteps
     // `bodies` and `model` must outlive it.
     BodySteps(const Bodies& bodies, const ClothModel& model);
 
-    // Fills the substeps from `start_time_s` on, each `h` s long. Bodies of which none moves are filled once only.
+    // Fills the substeps from `start_time_s` on, each `h` s long. Bodies of which none moves are filled once only, until
+    // one does.
     void plan(double start_time_s, double h, int substep_count);
 
     // All grids of meshes one after another: a header of origin, cell [m], 1 / cell and number of cells along the axes,
@@ -48,8 +49,6 @@ class BodySteps
 
     std::size_t body_count() const { return placed_.size(); }
     std::span<const HandlePin> pins() const { return model_.handle_pins; }
-    bool moves() const { return moves_; }
-
     // Number of the first entry of a substep in all_bodies() and all_pins().
     std::size_t first_body(int substep) const { return moves_ ? std::size_t(substep) * placed_.size() : 0; }
     std::size_t first_pin(int substep) const { return std::size_t(substep) * pins().size(); }
@@ -73,7 +72,7 @@ class BodySteps
     std::vector<float> grid_starts_, bounds_;
     std::vector<BodyStep> body_steps_;
     std::vector<PinStep> pin_steps_;
-    bool moves_ = false;
+    bool moves_ = false;  // of what is filled
 };
 
 }  // namespace nuno

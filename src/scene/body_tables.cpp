@@ -114,6 +114,13 @@ BodyMotion read_motion(TomlTable& table, const std::string& file_name)
     return motion;
 }
 
+BodyMotion read_motion_of_body(TomlTable& table, const std::string& file_name)
+{
+    BodyMotion motion = read_motion(table, file_name);
+    motion.group = table.text("group", "");
+    return motion;
+}
+
 Plane read_plane(TomlTable table, const std::string& file_name)
 {
     Plane plane;
@@ -130,7 +137,7 @@ Sphere read_sphere(TomlTable table, const std::string& file_name)
     Sphere sphere;
     sphere.centre = table.vector("centre", sphere.centre);
     sphere.radius = positive_length(table, "radius", 1);
-    sphere.motion = read_motion(table, file_name);
+    sphere.motion = read_motion_of_body(table, file_name);
     table.finish();
     return sphere;
 }
@@ -141,7 +148,7 @@ Capsule read_capsule(TomlTable table, const std::string& file_name)
     capsule.from = table.vector("from", capsule.from);
     capsule.to = table.vector("to", capsule.to);
     capsule.radius = positive_length(table, "radius", 0.1);
-    capsule.motion = read_motion(table, file_name);
+    capsule.motion = read_motion_of_body(table, file_name);
     table.finish();
     return capsule;
 }
@@ -153,7 +160,7 @@ Box read_box(TomlTable table, const std::string& file_name)
     box.size = table.vector("size", box.size);
     if (!(box.size.x > 0 && box.size.y > 0 && box.size.z > 0)) table.fail("size", "three numbers of metres above 0");
     box.rotation = read_placing(table);
-    box.motion = read_motion(table, file_name);
+    box.motion = read_motion_of_body(table, file_name);
     table.finish();
     return box;
 }
@@ -167,7 +174,7 @@ MeshBody read_body_mesh(TomlTable table, const std::string& file_name, const std
     body.rotation = read_placing(table);
     const float scale = positive_length(table, "scale", 1);
     const float cell = table.has("cell") ? positive_length(table, "cell", 0) : (table.number("cell", 0), 0.0f);
-    body.motion = read_motion(table, file_name);
+    body.motion = read_motion_of_body(table, file_name);
     table.finish();
     const std::string where = table.where("mesh");
     const std::filesystem::path path = (scene_path.parent_path() / mesh).lexically_normal();

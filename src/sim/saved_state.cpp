@@ -6,7 +6,10 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <span>
+
+#include <glm/geometric.hpp>
 
 #include "core/archive.h"
 #include "core/error.h"
@@ -20,7 +23,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file holds little-endian numbers");
 
 constexpr std::string_view kMagic = "nuno state\n";
-constexpr std::uint32_t kFormat = 1;  // a higher one says what this program does not know
+constexpr std::uint32_t kFormat = 2;  // 1: without shifts; a higher one says what this program does not know
 
 std::uint64_t hash_of(std::span<const std::byte> bytes)
 {
@@ -29,7 +32,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes)
     return hash.value();
 }
 
-void carry(Archive& archive, SavedState& saved)
+void carry(Archive& archive, SavedState& saved, std::uint32_t format)
 {
     archive.value(saved.frame);
     archive.value(saved.time_s);
@@ -39,6 +42,7 @@ void carry(Archive& archive, SavedState& saved)
     archive.list(kind);
     saved.past_kind.assign(kind.begin(), kind.end());
     archive.list(saved.past);
+    if (format > 1) archive.list(saved.shifts);
     archive.finish();
 }
 
@@ -48,8 +52,14 @@ void carry(Archive& archive, SavedState& saved)
         fmt::format("{}: {}; save the state anew, or take the line `state` out of the scene", path.string(), what));
 }
 
+struct Body
+{
+    std::uint32_t format;
+    std::vector<std::byte> bytes;
+};
+
 // What follows the magic, the format and the hash, which must be right.
-std::vector<std::byte> checked_body(const std::filesystem::path& path, std::string_view text)
+Body checked_body(const std::filesystem::path& path, std::string_view text)
 {
     if (text.substr(0, kMagic.size()) != kMagic) fail(path, "is no state that nuno saved");
     text.remove_prefix(kMagic.size());
@@ -66,7 +76,7 @@ std::vector<std::byte> checked_body(const std::filesystem::path& path, std::stri
     text.remove_prefix(sizeof format + sizeof hash);
     const std::span<const std::byte> body = std::as_bytes(std::span(text));
     if (hash_of(body) != hash) fail(path, "is cut short, or was changed");
-    return {body.begin(), body.end()};
+    return {format, {body.begin(), body.end()}};
 }
 
 void check_numbers(const std::filesystem::path& path, const SavedState& saved, std::uint32_t vertex_count)
@@ -83,13 +93,18 @@ void check_numbers(const std::filesystem::path& path, const SavedState& saved, s
     for (std::size_t v = 0; v < count; ++v)
         if (!(saved.cloth.positions[v].w >= 0) || is_lost(static_cast<float>(saved.time_s)) || saved.frame < 0)
             fail(path, "holds a mass or a time that is none");
+    const auto is_way = [](const glm::dvec3& way) { return !is_lost(static_cast<float>(glm::length(way))); };
+    for (const BodyShift& shift : saved.shifts)
+        if (!is_way(shift.from) || !is_way(shift.to) || !std::isfinite(shift.from_s) || !std::isfinite(shift.to_s))
+            fail(path, "holds a place of a body that is not finite, or beyond 1e6 m");
 }
 
 }  // namespace
 
 std::size_t SavedState::size_bytes() const
 {
-    return sizeof(SavedState) + past.size() + (cloth.positions.size() + cloth.velocities.size()) * sizeof(glm::vec4);
+    return sizeof(SavedState) + past.size() + shifts.size() * sizeof(BodyShift) +
+           (cloth.positions.size() + cloth.velocities.size()) * sizeof(glm::vec4);
 }
 
 std::string past_kind(std::string_view solver_name, const SimParams& p)
@@ -105,7 +120,7 @@ void write_state(const std::filesystem::path& path, const SavedState& saved)
 {
     SavedState copy = saved;
     Archive body;
-    carry(body, copy);
+    carry(body, copy, kFormat);
     const std::uint64_t hash = hash_of(body.bytes());
     std::string file(kMagic);
     const auto append = [&](const void* bytes, std::size_t count) {
@@ -121,8 +136,9 @@ SavedState read_state(const std::filesystem::path& path, const SimParams& asked,
 {
     SavedState saved;
     saved.asked = asked;
-    Archive archive(checked_body(path, read_text(path)));
-    carry(archive, saved);
+    Body body = checked_body(path, read_text(path));
+    Archive archive(std::move(body.bytes));
+    carry(archive, saved, body.format);
     check_numbers(path, saved, vertex_count);
     return saved;
 }

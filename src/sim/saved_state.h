@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/body_motion.h"
 #include "model/cloth_state.h"
 #include "model/sim_params.h"
 
@@ -19,6 +20,7 @@ struct SavedState
     double time_s = 0;  // simulated
     SimParams asked;    // the parameters of then (Simulation::asked_params)
     ClothState cloth;
+    std::vector<BodyShift> shifts;  // of all bodies; empty: no hand moved any
     // What solver and collision keep beyond the cloth, and by whom it can be read: solvers of the same past_kind.
     std::string past_kind;
     std::vector<std::byte> past;

@@ -20,9 +20,7 @@ namespace nuno {
 namespace {
 
 constexpr int kMostFramesAtOnce = 4;
-constexpr float kDragSpeed = 3.0f;          // of a held vertex [m/s]
-constexpr float kDragStretch = 0.2f;        // of the threads at a held vertex, at most
-constexpr double kHandMoveSeconds = 0.001;  // about how often it moves
+constexpr double kHandMoveSeconds = 0.001;  // about how often a held vertex moves
 
 // What a solver is made for, and what not every solver takes.
 bool needs_new_solver(const SimParams& a, const SimParams& b)
@@ -36,18 +34,21 @@ bool needs_new_solver(const SimParams& a, const SimParams& b)
 
 }  // namespace
 
-Simulation::Simulation(Scene scene, const SimParams& params) : scene_(std::move(scene)) { build(params); }
+Simulation::Simulation(Scene scene, const SimParams& params) : scene_(std::move(scene)), bodies_(scene_.bodies)
+{
+    build(params);
+}
 Simulation::~Simulation() = default;
 
 void Simulation::build(const SimParams& asked)
 {
     check_collision_settings(asked);
     auto model = std::make_unique<ClothModel>(build_cloth_model(make_sheets(scene_, asked), asked.mass_lumping));
-    const SimParams params = resolve_params(*model, scene_.bodies, asked);
+    const SimParams params = resolve_params(*model, bodies(), asked);
     std::optional<SavedState> start;
     if (!scene_.state.empty()) start = read_state(scene_.state, scene_.params, model->vertex_count());
     auto pool = std::make_unique<ThreadPool>(params.threads);
-    auto solver = make_solver(*model, scene_.bodies, params, *pool);
+    auto solver = make_solver(*model, bodies(), params, *pool);
     solver_ = std::move(solver);
     collision_ = std::make_unique<SelfCollision>(model->rest_positions, model->faces, model->sheets, *pool);
     layers_.reset();
@@ -73,6 +74,7 @@ void Simulation::restart()
         return;
     }
     use_pins(scene_pins_);
+    bodies_.set_shifts({});
     ClothState state = start_state(*model_, params_);
     start_check_ = check_start(*model_, params_, state.positions, *pool_);
     begin_at(std::move(state), 0, 0);
@@ -84,13 +86,13 @@ void Simulation::set_params(const SimParams& asked)
         if (needs_restart(info.name) && param_value(info, &asked) != param_value(info, &asked_)) return build(asked);
 
     check_collision_settings(asked);
-    const SimParams params = resolve_params(*model_, scene_.bodies, asked);
+    const SimParams params = resolve_params(*model_, bodies(), asked);
     const bool new_pool = params.threads != params_.threads;
     const bool new_solver = new_pool || needs_new_solver(params, params_);
     if (new_solver || params.areal_density != params_.areal_density) {
         state();
         auto pool = new_pool ? std::make_unique<ThreadPool>(params.threads) : nullptr;
-        if (new_solver) solver_ = make_solver(*model_, scene_.bodies, params, pool ? *pool : *pool_);
+        if (new_solver) solver_ = make_solver(*model_, bodies(), params, pool ? *pool : *pool_);
         if (new_pool) {
             collision_ = std::make_unique<SelfCollision>(model_->rest_positions, model_->faces, model_->sheets, *pool);
             layers_.reset();
@@ -121,7 +123,7 @@ void Simulation::follow_stretch()
     if (asked_.substeps > 0 || params_.internal_model != InternalModel::continuum || !is_explicit(params_.method))
         return;
     const double stretch = largest_face_stretch(*model_, state(), 1.0 / params_.frame_rate);
-    params_.substeps = resolve_params(*model_, scene_.bodies, asked_, stretch).substeps;
+    params_.substeps = resolve_params(*model_, bodies(), asked_, stretch).substeps;
 }
 
 std::vector<FrameStats> Simulation::advance(double elapsed_s, const std::function<void(const FrameStats&)>& after_frame)
@@ -153,31 +155,17 @@ void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
 {
     const auto on_handle = [&](const HandlePin& pin) { return pin.vertex == vertex; };
     if (std::any_of(model_->handle_pins.begin(), model_->handle_pins.end(), on_handle)) return;
-    if (held_ && held_->vertex != vertex) release_vertex();
-    if (!held_) held_ = Held{vertex, glm::vec3(state().positions[vertex]), target, reach_of(vertex)};
-    held_->target = target;
-}
-
-std::vector<Tether> Simulation::reach_of(std::uint32_t vertex) const
-{
-    const float room = params_.tethers == Tethers::none ? kDragStretch : params_.tether_stretch;
-    std::vector<Tether> reach;
-    for (const Sheet& sheet : model_->sheets) {
-        if (vertex < sheet.first_vertex || vertex >= sheet.first_vertex + sheet.vertex_count) continue;
-        const std::vector<Tether> tethers = SheetGeodesics(*model_, sheet).pin_tethers(model_->pinned);
-        for (std::size_t i = vertex - sheet.first_vertex; i < tethers.size(); i += sheet.vertex_count)
-            if (tethers[i].anchor != Tether::kNone)
-                reach.push_back({tethers[i].anchor, tethers[i].length * (1 + room)});
-    }
-    return reach;
+    if (held_ && held_->vertex() != vertex) release_vertex();
+    if (!held_) held_.emplace(*model_, params_, vertex, glm::vec3(state().positions[vertex]));
+    held_->set_target(target);
 }
 
 void Simulation::release_vertex()
 {
     if (!held_) return;
-    const std::uint32_t v = held_->vertex;
+    const std::uint32_t v = held_->vertex();
     const float w = model_->pinned[v] ? 0.0f : inverse_mass(*model_, v, params_.areal_density);
-    solver_->set_vertex(v, glm::vec4(held_->position, w));
+    solver_->set_vertex(v, glm::vec4(held_->position(), w));
     positions_fresh_ = velocities_fresh_ = false;
     held_.reset();
 }
@@ -199,28 +187,18 @@ void Simulation::run_substeps(int first, int last)
     }
 }
 
-// Towards its target, but no faster than a hand; where a thread is taut it goes on across that thread only, as a hand
-// would slide, and it never goes further from a pin than the cloth reaches.
 void Simulation::move_held_vertex(float duration_s)
 {
-    const SpringTable& table = model_->spring_table;
-    glm::vec3 way = held_->target - held_->position;
-    way *= std::min(1.0f, kDragSpeed * duration_s / std::max(glm::length(way), 1e-12f));
-    for (int slot = 0; slot < table.first_slot[1]; ++slot) {
-        const std::size_t entry = static_cast<std::size_t>(slot) * table.vertex_count + held_->vertex;
-        if (table.springs[entry] == SpringTable::kNoSpring) continue;
-        const glm::vec3 thread = held_->position - glm::vec3(state_.positions[table.neighbours[entry]]);
-        const float length = std::max(glm::length(thread), 1e-12f);
-        const float longest = (1 + kDragStretch) * model_->springs[table.springs[entry]].rest_length;
-        const float slack = std::max(longest - length, 0.0f);
-        way -= std::max(glm::dot(way, thread) / length - slack, 0.0f) * (thread / length);
-    }
-    held_->position += way;
-    for (const Tether& tether : held_->reach) {
-        const glm::vec3 pin(state_.positions[tether.anchor]), away = held_->position - pin;
-        held_->position = pin + away * std::min(1.0f, tether.length / std::max(glm::length(away), 1e-12f));
-    }
-    solver_->set_vertex(held_->vertex, glm::vec4(held_->position, 0));
+    held_->advance(*model_, state_.positions, duration_s);
+    solver_->set_vertex(held_->vertex(), glm::vec4(held_->position(), 0));
+}
+
+void Simulation::hold_body(std::size_t body, const glm::dvec3& way)
+{
+    if (params_.tethers == Tethers::contacts)
+        throw Error(fmt::format(
+            "{}: tethers: contacts ties cloth to where bodies are; choose pins or none to move them", scene_.name));
+    bodies_.hold(body, way);
 }
 
 std::optional<PresentStability> Simulation::stability()

@@ -12,10 +12,11 @@
 #include "model/cloth_state.h"
 #include "model/diagnostics.h"
 #include "model/stability.h"
-#include "model/tethers.h"
 #include "scene/scene.h"
 #include "sim/frame_stats.h"
+#include "sim/held_vertex.h"
 #include "sim/last_pass.h"
+#include "sim/movable_bodies.h"
 #include "sim/rest_watch.h"
 #include "sim/saved_state.h"
 #include "sim/start_check.h"
@@ -38,6 +39,7 @@ class Simulation
     const SimParams& asked_params() const { return asked_; }
     const SimParams& params() const { return params_; }
     const ClothModel& model() const { return *model_; }
+    const Bodies& bodies() const { return bodies_.bodies(); }  // the scene's, where a hand has moved them
     std::string_view solver_name() const { return solver_->name(); }
     int frame() const { return frame_; }
     double time_s() const { return time_s_; }
@@ -79,6 +81,9 @@ class Simulation
     // can stretch. A pinned vertex stays pinned where it is left; one on a handle of the scene goes with that.
     void hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
+    // As MovableBodies::hold; it stays where it is left until the next restart. Error where cloth is tied to bodies.
+    void hold_body(std::size_t body, const glm::dvec3& way);
+    void release_body() { bodies_.release(); }
 
     bool is_pinned(std::uint32_t vertex) const { return model_->pinned[vertex] != 0; }
     // Pins a vertex where it is now, or lets it go; until the next restart, after which the scene's own pins hold. The
@@ -113,7 +118,6 @@ class Simulation
     void run_passes(FrameStats& stats);
     void run_substeps(int first, int last);
     void move_held_vertex(float duration_s);
-    std::vector<Tether> reach_of(std::uint32_t vertex) const;
     void collide(FrameStats& stats, float interval_s);
     int foresee_frame(FrameStats& stats);
     const SpeculativeContacts& foresee(FrameStats& stats, float interval_s);
@@ -121,14 +125,8 @@ class Simulation
     void respond_to_impacts(FrameStats& stats, float interval_s);
     void check_not_lost(std::optional<std::uint32_t> vertex, int first_substep, int last_substep) const;
 
-    struct Held
-    {
-        std::uint32_t vertex;
-        glm::vec3 position, target;
-        std::vector<Tether> reach;  // to the nearest pins
-    };
-
     Scene scene_;
+    MovableBodies bodies_;
     std::optional<SavedState> start_;  // where the scene names one
     SimParams asked_, params_;
     std::unique_ptr<ThreadPool> pool_;
@@ -147,7 +145,7 @@ class Simulation
     std::vector<glm::vec4> pass_positions_;             // at the last pass, for counting what went through since
     StartCheck start_check_;
     RestWatch rest_watch_;
-    std::optional<Held> held_;
+    std::optional<HeldVertex> held_;
     std::vector<glm::dvec3> stiffest_mode_;  // of stability()
     int frame_ = 0;
     double time_s_ = 0;

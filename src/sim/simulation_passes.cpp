@@ -54,6 +54,7 @@ int most_passes(const SimParams& params)
 FrameStats Simulation::advance_frame()
 {
     FrameStats stats;
+    bodies_.advance(time_s_, 1.0 / params_.frame_rate);
     if (!may_sleep(stats)) run_passes(stats);
     stats.frame = ++frame_;
     stats.time_s = time_s_ += 1.0 / params_.frame_rate;
@@ -64,7 +65,7 @@ FrameStats Simulation::advance_frame()
 bool Simulation::may_sleep(FrameStats& stats)
 {
     if (params_.sleep_motion <= 0) return false;
-    if (held_ || surroundings_change(params_, scene_.bodies, time_s_, time_s_ + 1.0 / params_.frame_rate)) {
+    if (held_ || surroundings_change(params_, bodies(), time_s_, time_s_ + 1.0 / params_.frame_rate)) {
         rest_watch_.wake();
         return false;
     }
@@ -131,7 +132,7 @@ int Simulation::foresee_frame(FrameStats& stats)
     int passes = chosen ? std::min(chosen_passes_, most) : most;
     const SpeculativeContacts* found = &foresee(stats, pass_s(passes));
     if (chosen) {
-        const double of_bodies = largest_body_motion(scene_.bodies, time_s_, time_s_ + 1.0 / params_.frame_rate);
+        const double of_bodies = largest_body_motion(bodies(), time_s_, time_s_ + 1.0 / params_.frame_rate);
         const double motion = std::max(double(found->largest_approach) * passes, of_bodies);
         chosen_passes_ = std::clamp(static_cast<int>(std::ceil(motion / kMotionOfPass)), 1, most);
         if (chosen_passes_ > passes) found = &foresee(stats, pass_s(passes = chosen_passes_));
@@ -181,7 +182,7 @@ void Simulation::respond_to_impacts(FrameStats& stats, float interval_s)
     const CollisionCounts counts =
         layers_->respond({start_positions_, state_.positions, state_.velocities, interval_s}, layer_settings(params_));
     stats.stage_ms.respond += watch.lap_ms();
-    if (held_) held_->position = glm::vec3(state_.positions[held_->vertex]);
+    if (held_) held_->set_position(glm::vec3(state_.positions[held_->vertex()]));
     if (counts.impacts > 0) {
         solver_->upload_positions(state_.positions);
         solver_->upload_velocities(state_.velocities);

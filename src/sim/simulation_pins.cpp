@@ -26,8 +26,8 @@ void Simulation::use_pins(Pins pins)
     if (pins == Pins{model_->pinned, model_->handle_pins}) return;
     model_->pinned = std::move(pins.pinned);
     model_->handle_pins = std::move(pins.handle_pins);
-    params_ = resolve_params(*model_, scene_.bodies, asked_);
-    solver_ = make_solver(*model_, scene_.bodies, params_, *pool_);
+    params_ = resolve_params(*model_, bodies(), asked_);
+    solver_ = make_solver(*model_, bodies(), params_, *pool_);
     stiffest_mode_.clear();
 }
 

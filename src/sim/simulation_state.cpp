@@ -49,13 +49,14 @@ SavedState Simulation::save()
                      .time_s = time_s_,
                      .asked = asked_,
                      .cloth = state(),
+                     .shifts = bodies_.shifts(),
                      .past_kind = past_kind(solver_->name(), params_),
                      .past = {}};
     Archive archive;
     carry(archive);
     saved.past = archive.bytes();
     if (held_) {
-        const std::uint32_t v = held_->vertex;
+        const std::uint32_t v = held_->vertex();
         saved.cloth.positions[v].w = model_->pinned[v] ? 0.0f : inverse_mass(*model_, v, params_.areal_density);
         saved.cloth.velocities[v] = glm::vec4(0, 0, 0, saved.cloth.velocities[v].w);
     }
@@ -68,6 +69,7 @@ void Simulation::resume(const SavedState& saved)
         throw Error(
             fmt::format("{}: the state is of a cloth of {} vertices, not of {}; set resolution back, or restart",
                         scene_.name, saved.cloth.positions.size(), model_->vertex_count()));
+    bodies_.set_shifts(saved.shifts);
     use_pins(pins_of(saved.cloth));
     ClothState cloth = saved.cloth;
     if (saved.asked.areal_density != params_.areal_density)

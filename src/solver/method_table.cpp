@@ -112,7 +112,8 @@ void check_contacts(const Bodies& bodies, const SimParams& params)
     if (params.tethers == Tethers::contacts && (moves(bodies.planes) || moves(bodies.spheres) ||
                                                 moves(bodies.capsules) || moves(bodies.boxes) || moves(bodies.meshes)))
         throw Error(
-            "tethers: contacts needs bodies that stand still; choose pins or none, or take their keyframes away");
+            "tethers: contacts needs bodies that stand still; choose pins or none, or take their keyframes away, or "
+            "restart where a hand moved them");
 }
 
 // What only some orders of xpbd's constraints have.

@@ -8,7 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/vertex_drag.h"
+#include "app/body_picker.h"
+#include "app/point_drag.h"
 #include "model/cloth_model.h"
 
 namespace nuno {
@@ -108,12 +109,46 @@ TEST(VertexPicker, cloth_behind_the_camera_is_never_taken)
     EXPECT_FALSE(pick_vertex(sheet.positions, sheet.faces, front_view(), {400, 300}, 1e6f));
 }
 
-TEST(VertexDrag, keeps_the_offset_to_the_pointer_and_the_distance_to_the_screen)
+TEST(BodyPicker, takes_the_frontmost_body_as_it_is_drawn_but_no_plane)
+{
+    const PickView view = front_view();
+    Bodies bodies;
+    bodies.planes.push_back({{0, 0, 1}, 0.5f, {}});
+    bodies.spheres.push_back({{0, 0, 0}, 0.2f, {}});
+    bodies.boxes.push_back({{0, 0, -1}, {1, 1, 0.2f}, {1, 0, 0, 0}, {}});
+    const glm::vec2 middle = place_of(view, glm::vec4(0, 0, 0, 1));
+    const auto ball = pick_body(bodies, 0, view, middle);
+    ASSERT_TRUE(ball);
+    EXPECT_EQ(ball->body, 1u);
+    const glm::vec3 point = unproject(view, glm::vec3(middle, ball->depth));
+    EXPECT_NEAR(glm::length(point), 0.2, 0.01) << "on its surface";
+    EXPECT_GT(glm::dot(point, view.camera.eye), 0) << "on the side of the camera";
+    const glm::vec2 beside = place_of(view, glm::vec4(0.35f, 0, 0, 1));
+    EXPECT_EQ(pick_body(bodies, 0, view, beside).value().body, 2u);
+    EXPECT_FALSE(pick_body(bodies, 0, view, place_of(view, glm::vec4(2, 0, 0, 1))));
+    bodies.spheres[0].motion.shift = {.to = {0.35, 0, 0}};
+    EXPECT_EQ(pick_body(bodies, 1, view, beside).value().body, 1u) << "where it is now";
+    EXPECT_EQ(pick_body(bodies, 1, view, middle).value().body, 2u);
+}
+
+TEST(VertexPicker, a_body_hides_what_is_behind_it_and_has_no_reach_around_it)
+{
+    const Sheet5 sheet(0);
+    const PickView view = front_view();
+    const glm::vec2 place = place_of(view, sheet.positions[12]);
+    const float depth = project(view, glm::vec3(sheet.positions[12])).value().z;
+    EXPECT_FALSE(pick_vertex(sheet.positions, sheet.faces, view, place, kReach, depth - 0.001f));
+    EXPECT_EQ(pick_vertex(sheet.positions, sheet.faces, view, place, kReach, depth + 0.001f), 12u);
+    const glm::vec2 left = place_of(view, sheet.positions[10]) - glm::vec2(kReach / 2, 0);
+    EXPECT_FALSE(pick_vertex(sheet.positions, sheet.faces, view, left, kReach, 1.0f));
+}
+
+TEST(PointDrag, keeps_the_offset_to_the_pointer_and_the_distance_to_the_screen)
 {
     const PickView view = front_view();
     const glm::vec3 start(0.1f, 0.5f, 0.2f);
     const glm::vec2 pointer = glm::vec2(project(view, start).value()) + glm::vec2(7, -5);
-    VertexDrag drag(4, start, view.camera.forward, ray_through(view.camera, pointer, kWindow));
+    PointDrag drag(start, view.camera.forward, ray_through(view.camera, pointer, kWindow));
     EXPECT_LT(glm::distance(drag.target(), start), 1e-6f) << "taking it moves nothing";
     drag.follow(ray_through(view.camera, pointer + glm::vec2(60, 30), kWindow));
     EXPECT_NEAR(glm::dot(drag.target() - start, view.camera.forward), 0, 1e-5);
@@ -122,10 +157,10 @@ TEST(VertexDrag, keeps_the_offset_to_the_pointer_and_the_distance_to_the_screen)
     EXPECT_NEAR(way.y, 30, 0.05);
 }
 
-TEST(VertexDrag, stays_where_it_is_when_the_pointer_misses_its_plane)
+TEST(PointDrag, stays_where_it_is_when_the_pointer_misses_its_plane)
 {
     const PickView view = front_view();
-    VertexDrag drag(4, {0, 0.4f, 0}, view.camera.forward, ray_through(view.camera, {400, 300}, kWindow));
+    PointDrag drag({0, 0.4f, 0}, view.camera.forward, ray_through(view.camera, {400, 300}, kWindow));
     drag.follow({view.camera.eye, -view.camera.forward});
     EXPECT_EQ(drag.target(), glm::vec3(0, 0.4f, 0));
     drag.follow({view.camera.eye, view.camera.right});

@@ -1,4 +1,6 @@
 // Time, changes and saving in the window, by keys and mouse.
+#include <cmath>
+
 #include "app/viewer_driver.h"
 #include "render/texture_file.h"
 
@@ -92,6 +94,31 @@ TEST_F(ViewerTest, plots_open_and_show_the_last_seconds)
         }
     EXPECT_GT(blue, 5);
     EXPECT_LT(blue, plot.width * plot.height / 4);
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
+TEST_F(ViewerTest, a_body_is_dragged_with_the_cloth_on_it_saved_and_put_back)
+{
+    ViewerDriver viewer({"drape", "--set", "backend=cpu", "--paused"});
+    // The ball is seen under the sheet, which is still in the air.
+    viewer.press(800, 340);
+    const std::vector<std::string> start = viewer.wait_for("holding body 1 at ([-0-9.]+) ([-0-9.]+) ([-0-9.]+)").groups;
+    for (int step = 1; step <= 12; ++step) viewer.move(800 + 10 * step, 340);
+    viewer.key("n n n n n n n n n n n n n n n");
+    viewer.program().wait_for("frame 15: stepped");
+    viewer.release();
+    const std::vector<std::string> end = viewer.wait_for("released body 1 at ([-0-9.]+) ([-0-9.]+) ([-0-9.]+)").groups;
+    const double way = std::hypot(std::stod(end[1]) - std::stod(start[1]), std::stod(end[3]) - std::stod(start[3]));
+    EXPECT_GT(way, 0.1);
+    EXPECT_NEAR(std::stod(end[2]), std::stod(start[2]), 0.02) << "level, as the camera is";
+    viewer.key("ctrl+s");
+    viewer.wait_for("wrote drape_0001.toml");
+    viewer.key("r");
+    viewer.wait_for("restarted");
+    viewer.press(800, 340);
+    const std::vector<std::string> again = viewer.wait_for("holding body 1 at ([-0-9.]+) ([-0-9.]+) ([-0-9.]+)").groups;
+    EXPECT_EQ(again, start) << "it is back where the scene has it";
+    viewer.release();
     EXPECT_EQ(viewer.quit(), 0);
 }
 

@@ -195,6 +195,39 @@ TEST(BodyMotion, makes_many_turns_about_one_axis_and_takes_the_short_way_about_t
     EXPECT_NEAR(glm::length(half), 1, 1e-14);
 }
 
+TEST(BodyMotion, a_shift_is_added_evenly_between_its_times)
+{
+    BodyMotion motion;
+    EXPECT_FALSE(motion.moves());
+    motion.shift = {.from_s = 1, .to_s = 3, .from = {1, 0, 0}, .to = {3, 4, 0}};
+    EXPECT_TRUE(motion.moves());
+    const Pose rest{{0, 10, 0}, glm::dmat3(1)};
+    const auto place = [&](double time_s) { return pose_at(motion, rest, time_s).position; };
+    EXPECT_EQ(place(0), glm::dvec3(1, 10, 0));
+    EXPECT_EQ(place(2), glm::dvec3(2, 12, 0));
+    EXPECT_EQ(place(5), glm::dvec3(3, 14, 0));
+    motion.keyframes = {{0, {0, 0, 0}}, {4, {0, 0, 8}}};
+    motion.easing = Easing::linear;
+    EXPECT_EQ(place(2), glm::dvec3(2, 12, 4));
+}
+
+TEST(BodySteps, follow_a_shift_that_begins_and_ends)
+{
+    ClothModel model;
+    Bodies bodies;
+    bodies.spheres.emplace_back();
+    BodySteps steps(bodies, model);
+    steps.plan(0, 0.1, 4);
+    EXPECT_EQ(steps.bodies(3)[0].position.x, 0.0f);
+    bodies.spheres[0].motion.shift = {.from_s = 0.4, .to_s = 0.8, .from = {0, 0, 0}, .to = {2, 0, 0}};
+    steps.plan(0.4, 0.1, 4);
+    EXPECT_FLOAT_EQ(steps.bodies(1)[0].position.x, 1.0f);
+    EXPECT_FLOAT_EQ(steps.bodies(1)[0].velocity[0].w, 5.0f);
+    bodies.spheres[0].motion.shift = {};
+    steps.plan(0.8, 0.1, 4);
+    EXPECT_EQ(steps.bodies(3)[0].position.x, 0.0f) << "as it was before";
+}
+
 TEST(BodyMotion, repeats)
 {
     BodyMotion motion = quarter_turn(Easing::linear);

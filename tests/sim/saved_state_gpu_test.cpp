@@ -56,6 +56,29 @@ INSTANTIATE_TEST_SUITE_P(Methods, SavedOnGpu,
                                          std::tuple(Method::vbd, Sweep::automatic, CollisionLevel::discrete),
                                          std::tuple(Method::verlet, Sweep::automatic, CollisionLevel::guaranteed)));
 
+TEST(MovedBodiesOnGpu, push_as_on_the_cpu_to_the_bit)
+{
+    const auto context = make_headless_context();
+    const Scene scene = SavedSceneFolder().scene();
+    for (const Method method : {Method::symplectic_euler, Method::rk4, Method::xpbd}) {
+        std::string hashes[2];
+        for (const Backend backend : {Backend::cpu, Backend::gpu}) {
+            SimParams params = scene.params;
+            params.method = method;
+            params.sweep = Sweep::coloured;
+            params.backend = backend;
+            Simulation simulation(scene, params);
+            advance_frames(simulation, 5);
+            simulation.hold_body(0, {0.05, 0.1, 0});
+            advance_frames(simulation, 10);
+            simulation.release_body();
+            advance_frames(simulation, 3);
+            hashes[std::size_t(backend)] = hash_text(simulation.state());
+        }
+        EXPECT_EQ(hashes[0], hashes[1]) << int(method);
+    }
+}
+
 TEST(PinsOnGpu, are_those_of_the_cpu_to_the_bit)
 {
     const auto context = make_headless_context();

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "model/oscillator.h"
 #include "sim/rewind.h"
 #include "sim/run_recorder.h"
@@ -223,16 +225,53 @@ TEST(SavedState, a_bad_file_is_told_by_its_name_and_what_is_wrong)
     flipped[good.size() / 3] ^= 1;
     has("was changed", flipped);
     std::string newer = good;
-    newer[11] = 2;
+    newer[11] = 3;
     has("newer nuno", newer);
     SavedState lost = simulation.save();
     lost.cloth.velocities[7].y = std::nanf("");
     write_state(file, lost);
     has("vertex 7", read_text(file));
+    SavedState away = simulation.save();
+    away.shifts = {{.to = {0, 2e6, 0}}};
+    write_state(file, away);
+    has("a place of a body", read_text(file));
     write_state(file, simulation.save());
     EXPECT_THROW(read_state(file, {}, 144), Error);
     std::filesystem::remove(file);
     EXPECT_THROW(read_state(file, {}, 145), Error);
+}
+
+// Format 1 ended before the list of shifts, which is empty here: 8 bytes of its length.
+TEST(SavedState, a_file_of_the_format_before_bodies_could_be_moved_is_read)
+{
+    const TemporaryDirectory folder;
+    const std::filesystem::path file = folder.path() / "a.state";
+    const Scene scene = ball_scene();
+    Simulation simulation(scene, scene.params);
+    simulation.advance_frame();
+    write_state(file, simulation.save());
+    std::string text = read_text(file);
+    text.resize(text.size() - 8);
+    constexpr std::size_t format_at = 11, hash_at = format_at + 4, body_at = hash_at + 8;
+    text[format_at] = 1;
+    Fnv1a hash;
+    hash.add(text.data() + body_at, text.size() - body_at);
+    const std::uint64_t value = hash.value();
+    std::memcpy(text.data() + hash_at, &value, sizeof value);
+    write_whole(file, std::string_view(text));
+    const SavedState read = read_state(file, scene.params, 145);
+    EXPECT_EQ(read.frame, 1);
+    EXPECT_TRUE(read.shifts.empty());
+    EXPECT_EQ(read.past, simulation.save().past);
+}
+
+TEST(SavedState, of_a_scene_with_other_bodies_is_refused)
+{
+    const Scene scene = ball_scene();
+    Simulation simulation(scene, scene.params);
+    SavedState saved = simulation.save();
+    saved.shifts.resize(7);
+    EXPECT_THROW(simulation.resume(saved), Error);
 }
 
 }  // namespace

@@ -120,6 +120,18 @@ TEST(Sleep, ends_when_a_handle_begins_to_move)
     EXPECT_GT(largest_way(simulation.state().positions, at_rest), 0.05);
 }
 
+TEST(Sleep, ends_when_a_hand_moves_a_body_and_comes_again_where_it_is_left)
+{
+    Scene scene = hanging_sheet();
+    scene.bodies.spheres.push_back({{5, 0, 0}, 0.1f, {}});
+    Simulation simulation(scene, scene.params);
+    ASSERT_LT(frames_until_asleep(simulation), kLongFrames);
+    simulation.hold_body(0, {0, 1, 0});
+    EXPECT_GT(simulation.advance_frame().substeps, 0);
+    simulation.release_body();
+    EXPECT_LT(frames_until_asleep(simulation), kLongFrames);
+}
+
 TEST(Sleep, does_not_come_while_the_wind_changes)
 {
     Scene scene = hanging_sheet();

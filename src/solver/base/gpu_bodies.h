@@ -24,7 +24,7 @@ class GpuBodies
     void plan(const StepInput& input);
     // Tells a program that includes sim/bodies.glsl which substep is next.
     void set_substep(const Program& program, int substep) const;
-    // The poses of a substep follow those of the one before by so many.
+    // The poses of a planned substep follow those of the one before by so many.
     int bodies_a_substep() const { return static_cast<int>(steps_.first_body(1)); }
 
     bool moves_pins() const { return !steps_.pins().empty(); }
