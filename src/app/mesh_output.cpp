@@ -31,7 +31,7 @@ fs::path beside(const fs::path& path, const char* ending) { return fs::path(path
 GltfCloth gltf_cloth(const Simulation& simulation, std::span<const MeshPart> parts, float repeats)
 {
     const ClothModel& model = simulation.model();
-    GltfCloth cloth{{}, model.uvs, model.faces, repeats};
+    GltfCloth cloth{{}, model.uvs, model.faces, repeats, {}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Sheet& sheet = model.sheets[i];
         const fs::path& texture = simulation.scene().sheets[i].texture;
@@ -40,6 +40,7 @@ GltfCloth gltf_cloth(const Simulation& simulation, std::span<const MeshPart> par
         cloth.parts.push_back({parts[i].name, sheet.first_vertex, sheet.vertex_count, sheet.first_face,
                                sheet.face_count, std::move(png)});
     }
+    split_at_seams(cloth, model.seams);
     return cloth;
 }
 
@@ -81,7 +82,8 @@ void MeshOutput::write_obj(Simulation& simulation, const fs::path& path, const f
 {
     const ClothModel& model = simulation.model();
     const std::string material_file = materials.string();
-    write_whole(path, obj_text({simulation.state().positions, model.uvs, model.faces, parts_, material_file}));
+    write_whole(path,
+                obj_text({simulation.state().positions, model.uvs, model.faces, parts_, material_file, &model.seams}));
 }
 
 void MeshOutput::write_materials(const Simulation& simulation, const fs::path& path) const

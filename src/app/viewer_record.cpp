@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/viewer_session.h"
+#include "core/error.h"
 
 namespace nuno {
 
@@ -23,8 +24,7 @@ void ViewerSession::record_frame()
     try {
         recording_.add_frame(*simulation_, view_);
     } catch (const std::exception& error) {
-        note_error(error);
-        log_.action("recording ended after {} frames", recording_.frame_count());
+        note_error(Error(fmt::format("recording has ended: {}", error.what())));
     }
 }
 

@@ -50,12 +50,12 @@ void ViewerRecording::start(const RecordingPlan& plan, Simulation& simulation, c
     frame_count_ = 0;
     try {
         output_ = std::make_unique<FrameOutput>(output_plan(plan, directory_), simulation, view);
+        add_frame(simulation, view);
     } catch (...) {
         std::error_code ignored;
-        fs::remove(directory_, ignored);
+        fs::remove(directory_, ignored);  // where nothing is in it
         throw;
     }
-    add_frame(simulation, view);
 }
 
 void ViewerRecording::add_frame(Simulation& simulation, const ViewParams& view)

@@ -99,6 +99,27 @@ void append_sheet(ClothModel& model, const SheetSource& source, MassLumping lump
                             std::span(model.face_warps).last(mesh.faces.size()));
 }
 
+// Copies count on from the vertices of all sheets.
+TextureSeams joined_seams(const ClothModel& model, std::span<const SheetSource> sources)
+{
+    TextureSeams seams;
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        const TriangleMesh& mesh = sources[s].mesh;
+        const Sheet& sheet = model.sheets[s];
+        const auto first_copy = static_cast<std::uint32_t>(model.vertex_count() + seams.vertices.size());
+        for (glm::uvec3 face : mesh.seams.empty() ? mesh.faces : mesh.seams.faces) {
+            for (int k = 0; k < 3; ++k)
+                face[k] = face[k] < sheet.vertex_count ? sheet.first_vertex + face[k]
+                                                       : first_copy + face[k] - sheet.vertex_count;
+            seams.faces.push_back(face);
+        }
+        for (const std::uint32_t vertex : mesh.seams.vertices) seams.vertices.push_back(sheet.first_vertex + vertex);
+        seams.uvs.insert(seams.uvs.end(), mesh.seams.uvs.begin(), mesh.seams.uvs.end());
+    }
+    if (seams.vertices.empty()) seams.faces.clear();
+    return seams;
+}
+
 }  // namespace
 
 ClothModel build_cloth_model(std::span<const SheetSource> sheets, MassLumping lumping)
@@ -106,6 +127,7 @@ ClothModel build_cloth_model(std::span<const SheetSource> sheets, MassLumping lu
     ClothModel model;
     for (const SheetSource& source : sheets) append_sheet(model, source, lumping);
     model.spring_table = make_spring_table(model.springs, model.vertex_count());
+    model.seams = joined_seams(model, sheets);
     return model;
 }
 

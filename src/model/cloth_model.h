@@ -56,6 +56,7 @@ struct ClothModel
 {
     std::vector<glm::vec3> rest_positions, start_positions;  // [m], one a vertex
     std::vector<glm::vec2> uvs;
+    TextureSeams seams;  // of all sheets together; for pictures and files alone
     std::vector<glm::uvec3> faces;
     std::vector<glm::vec3> face_warps;   // unit direction of the warp in each face at rest
     std::vector<float> areas;            // [m2] of cloth that a vertex carries

@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include <glm/common.hpp>
 
 #include "core/error.h"
 #include "core/version.h"
+#include "model/smooth_normals.h"
 
 namespace nuno {
 namespace {
@@ -54,11 +55,19 @@ std::size_t add_to(Json& json, const char* list, Json entry)
     return json[list].size() - 1;
 }
 
-std::size_t add_view(Json& json, std::size_t offset, std::size_t length, int target = 0)
+std::size_t add_view(Json& json, std::size_t offset, std::size_t length)
 {
-    Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}};
-    if (target != 0) view["target"] = target;
-    return add_to(json, "bufferViews", std::move(view));
+    return add_to(json, "bufferViews", {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}});
+}
+
+// Of one T for each vertex, which several accessors may use.
+template <class T>
+std::size_t add_vertex_view(Json& json, std::size_t offset, std::size_t length)
+{
+    const std::size_t view = add_view(json, offset, length);
+    json["bufferViews"][view]["byteStride"] = sizeof(T);
+    json["bufferViews"][view]["target"] = kArrayBuffer;
+    return view;
 }
 
 struct Place
@@ -89,6 +98,13 @@ GltfBox box_of(std::span<const glm::vec3> points)
     return box;
 }
 
+// Vectors of a part in a view of them; `first`: that of the first vertex of the cloth.
+std::size_t add_vectors(Json& json, std::size_t view, std::size_t first, const GltfPart& part)
+{
+    const std::size_t offset = (first + part.first_vertex) * sizeof(glm::vec3);
+    return add_accessor(json, {view, offset, part.vertex_count}, kFloat, "VEC3");
+}
+
 // Of an sRGB colour of 8 bits.
 double linear(int value) { return std::pow((value / 255.0 + 0.055) / 1.055, 2.4); }
 
@@ -116,32 +132,66 @@ void append_words(WholeFile& file, const std::array<std::uint32_t, N>& words)
 
 }  // namespace
 
-GltfFile::GltfFile(const std::filesystem::path& path, GltfCloth cloth)
-    : cloth_(std::move(cloth)), file_(path), moves_(path.string() + ".frames")
+void split_at_seams(GltfCloth& cloth, const TextureSeams& seams)
 {
+    if (seams.empty()) return;
+    const auto count = static_cast<std::uint32_t>(cloth.uvs.size());
+    std::vector<std::uint32_t> place(count + seams.vertices.size());
+    std::vector<glm::vec2> uvs;
+    cloth.vertices.clear();
+    const auto take = [&](std::uint32_t number, std::uint32_t vertex, glm::vec2 uv) {
+        place[number] = static_cast<std::uint32_t>(uvs.size());
+        cloth.vertices.push_back(vertex);
+        uvs.push_back(uv);
+    };
+    for (GltfPart& part : cloth.parts) {
+        const std::uint32_t first = part.first_vertex, end = first + part.vertex_count;
+        part.first_vertex = static_cast<std::uint32_t>(uvs.size());
+        for (std::uint32_t vertex = first; vertex < end; ++vertex) take(vertex, vertex, cloth.uvs[vertex]);
+        for (std::uint32_t copy = 0; copy < seams.vertices.size(); ++copy)
+            if (seams.vertices[copy] >= first && seams.vertices[copy] < end)
+                take(count + copy, seams.vertices[copy], seams.uvs[copy]);
+        part.vertex_count = static_cast<std::uint32_t>(uvs.size()) - part.first_vertex;
+    }
+    cloth.uvs = std::move(uvs);
+    cloth.faces = seams.faces;
+    for (glm::uvec3& face : cloth.faces)
+        for (int k = 0; k < 3; ++k) face[k] = place[face[k]];
+}
+
+GltfFile::GltfFile(const std::filesystem::path& path, GltfCloth cloth)
+    : cloth_(std::move(cloth)), simulated_faces_(cloth_.faces), file_(path), moves_(path.string() + ".frames")
+{
+    if (cloth_.vertices.empty()) {
+        cloth_.vertices.resize(cloth_.uvs.size());
+        std::iota(cloth_.vertices.begin(), cloth_.vertices.end(), 0u);
+    }
+    for (glm::uvec3& face : simulated_faces_)
+        for (int k = 0; k < 3; ++k) face[k] = cloth_.vertices[face[k]];
 }
 
 void GltfFile::add(std::span<const glm::vec4> positions, double time_s)
 {
-    assert(positions.size() == cloth_.uvs.size());
-    move_.resize(positions.size());
-    const bool is_first = first_.empty();
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        move_[i] = is_first ? glm::vec3(positions[i]) : glm::vec3(positions[i]) - first_[i];
-    if (is_first) {
-        first_ = move_;
+    const std::vector<glm::vec3> normals = smooth_normals(positions, simulated_faces_);
+    std::vector<glm::vec3> frame;
+    frame.reserve(2 * cloth_.vertices.size());
+    for (const std::uint32_t vertex : cloth_.vertices) frame.emplace_back(positions[vertex]);
+    for (const std::uint32_t vertex : cloth_.vertices) frame.push_back(normals[vertex]);
+    if (first_.empty()) {
+        first_ = frame;
     } else {
+        for (std::size_t i = 0; i < frame.size(); ++i) frame[i] -= first_[i];
         const double weights = double(times_.size() + 1) * double(times_.size()) * sizeof(float);
-        if (double(moves_.size()) + double(std::span(move_).size_bytes()) + weights > kMostBytes * 0.9)
+        if (double(moves_.size()) + double(std::span(frame).size_bytes()) + weights > kMostBytes * 0.9)
             throw Error(
                 fmt::format("--gltf: {} frames are all that the 4 GiB of a glTF file hold; write fewer with "
                             "--frames or --every, or a --pc2",
                             times_.size()));
-        moves_.append(std::as_bytes(std::span(move_)));
+        moves_.append(std::as_bytes(std::span(frame)));
     }
     times_.push_back(static_cast<float>(time_s));
     for (const GltfPart& part : cloth_.parts)
-        boxes_.push_back(box_of(std::span(move_).subspan(part.first_vertex, part.vertex_count)));
+        boxes_.push_back(box_of(std::span(frame).subspan(part.first_vertex, part.vertex_count)));
 }
 
 void GltfFile::add_cloth(Json& json, std::vector<std::byte>& bytes) const
@@ -151,24 +201,23 @@ void GltfFile::add_cloth(Json& json, std::vector<std::byte>& bytes) const
     std::vector<glm::uvec3> faces = cloth_.faces;  // of each part from its first vertex on
     for (const GltfPart& part : cloth_.parts)
         for (std::uint32_t f = 0; f < part.face_count; ++f) faces[part.first_face + f] -= part.first_vertex;
-    const auto view_of = [&](const auto& values, int target) {
-        const std::size_t length = std::span(values).size_bytes();
-        return add_view(json, append(bytes, values), length, target);
-    };
-    const std::size_t points = view_of(first_, kArrayBuffer), places = view_of(uvs, kArrayBuffer);
-    const std::size_t corners = view_of(faces, kElementBuffer);
+    const std::size_t points = add_vertex_view<glm::vec3>(json, append(bytes, first_), std::span(first_).size_bytes());
+    const std::size_t places = add_vertex_view<glm::vec2>(json, append(bytes, uvs), std::span(uvs).size_bytes());
+    const std::size_t corners = add_view(json, append(bytes, faces), std::span(faces).size_bytes());
+    json["bufferViews"][corners]["target"] = kElementBuffer;
     for (std::size_t p = 0; p < cloth_.parts.size(); ++p) {
         const GltfPart& part = cloth_.parts[p];
-        const std::size_t position =
-            add_accessor(json, {points, part.first_vertex * sizeof(glm::vec3), part.vertex_count}, kFloat, "VEC3");
+        const std::size_t position = add_vectors(json, points, 0, part);
         set_box(json["accessors"][position], boxes_[p]);
+        const std::size_t normal = add_vectors(json, points, uvs.size(), part);
         const std::size_t uv =
             add_accessor(json, {places, part.first_vertex * sizeof(glm::vec2), part.vertex_count}, kFloat, "VEC2");
         const std::size_t index = add_accessor(
             json, {corners, part.first_face * sizeof(glm::uvec3), 3 * std::size_t(part.face_count)}, kUint, "SCALAR");
         const std::size_t material = add_to(json, "materials", material_of(part, json, bytes));
-        const Json primitive{
-            {"attributes", {{"POSITION", position}, {"TEXCOORD_0", uv}}}, {"indices", index}, {"material", material}};
+        const Json primitive{{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}},
+                             {"indices", index},
+                             {"material", material}};
         add_to(json, "meshes", {{"name", part.name}, {"primitives", Json::array({primitive})}});
         add_to(json, "nodes", {{"name", part.name}, {"mesh", p}});
         json["scenes"][0]["nodes"].push_back(p);
@@ -180,13 +229,12 @@ void GltfFile::add_targets(Json& json, std::size_t start) const
 {
     const std::size_t frame_bytes = std::span(first_).size_bytes(), part_count = cloth_.parts.size();
     for (std::size_t k = 0; k < target_count(); ++k) {
-        const std::size_t view = add_view(json, start + k * frame_bytes, frame_bytes, kArrayBuffer);
+        const std::size_t view = add_vertex_view<glm::vec3>(json, start + k * frame_bytes, frame_bytes);
         for (std::size_t p = 0; p < part_count; ++p) {
-            const GltfPart& part = cloth_.parts[p];
-            const std::size_t accessor =
-                add_accessor(json, {view, part.first_vertex * sizeof(glm::vec3), part.vertex_count}, kFloat, "VEC3");
-            set_box(json["accessors"][accessor], boxes_[(k + 1) * part_count + p]);
-            json["meshes"][p]["primitives"][0]["targets"].push_back({{"POSITION", accessor}});
+            const std::size_t position = add_vectors(json, view, 0, cloth_.parts[p]);
+            set_box(json["accessors"][position], boxes_[(k + 1) * part_count + p]);
+            const std::size_t normal = add_vectors(json, view, cloth_.uvs.size(), cloth_.parts[p]);
+            json["meshes"][p]["primitives"][0]["targets"].push_back({{"POSITION", position}, {"NORMAL", normal}});
         }
     }
     for (Json& mesh : json["meshes"]) mesh["weights"] = std::vector<int>(target_count(), 0);

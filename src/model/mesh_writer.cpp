@@ -12,13 +12,15 @@ namespace {
 
 using Text = std::back_insert_iterator<fmt::memory_buffer>;
 
-void write_faces(Text out, std::span<const glm::uvec3> faces, bool with_uvs)
+void write_faces(Text out, const MeshView& mesh, std::uint32_t first_face, std::uint32_t face_count)
 {
-    for (const glm::uvec3& f : faces) {
-        if (with_uvs)
-            fmt::format_to(out, "f {0}/{0} {1}/{1} {2}/{2}\n", f.x + 1, f.y + 1, f.z + 1);
-        else
+    const bool has_seams = mesh.seams != nullptr && !mesh.seams->empty();
+    for (std::uint32_t number = first_face; number < first_face + face_count; ++number) {
+        const glm::uvec3 f = mesh.faces[number], t = has_seams ? mesh.seams->faces[number] : f;
+        if (mesh.uvs.empty())
             fmt::format_to(out, "f {} {} {}\n", f.x + 1, f.y + 1, f.z + 1);
+        else
+            fmt::format_to(out, "f {}/{} {}/{} {}/{}\n", f.x + 1, t.x + 1, f.y + 1, t.y + 1, f.z + 1, t.z + 1);
     }
 }
 
@@ -49,12 +51,14 @@ std::string obj_text(const MeshView& mesh)
     if (!mesh.material_file.empty()) fmt::format_to(out, "mtllib {}\n", mesh.material_file);
     for (const glm::vec4& p : mesh.positions) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
     for (const glm::vec2& uv : mesh.uvs) fmt::format_to(out, "vt {:.9g} {:.9g}\n", uv.x, uv.y);
+    if (mesh.seams != nullptr)
+        for (const glm::vec2& uv : mesh.seams->uvs) fmt::format_to(out, "vt {:.9g} {:.9g}\n", uv.x, uv.y);
     for (const MeshPart& part : mesh.parts) {
         fmt::format_to(out, "g {}\n", part.name);
         if (!mesh.material_file.empty()) fmt::format_to(out, "usemtl {}\n", part.name);
-        write_faces(out, mesh.faces.subspan(part.first_face, part.face_count), !mesh.uvs.empty());
+        write_faces(out, mesh, part.first_face, part.face_count);
     }
-    if (mesh.parts.empty()) write_faces(out, mesh.faces, !mesh.uvs.empty());
+    if (mesh.parts.empty()) write_faces(out, mesh, 0, static_cast<std::uint32_t>(mesh.faces.size()));
     return fmt::to_string(text);
 }
 

@@ -33,6 +33,7 @@ struct MeshView
     std::span<const glm::uvec3> faces;
     std::span<const MeshPart> parts = {};  // in order of their faces, which are all; none: no groups
     std::string_view material_file = {};   // its path from the OBJ file; empty: no materials
+    const TextureSeams* seams = nullptr;   // of the texture coordinates; nullptr: none
 };
 
 std::string obj_text(const MeshView& mesh);

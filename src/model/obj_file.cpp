@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -19,6 +20,7 @@
 namespace nuno {
 namespace {
 
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();  // no texture coordinate
 constexpr std::size_t kMostCorners = 256;  // of a face: cutting it up takes the cube of them
 
 // Places of vertices without texture coordinates: the two longest sides of the bounding box.
@@ -50,7 +52,10 @@ class ObjReader
     TriangleMesh mesh()
     {
         if (!mesh_.positions.empty()) mesh_.uvs = box_uvs(mesh_.positions);
-        for (const auto& [vertex, texcoord] : texcoords_of_) mesh_.uvs[vertex] = texcoords_[texcoord];
+        for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
+            for (int k = 0; k < 3; ++k)
+                if (texcoords_of_[f][k] != kNone) mesh_.uvs[mesh_.faces[f][k]] = texcoords_[texcoords_of_[f][k]];
+        find_texture_seams();
         for (auto& [name, vertices] : mesh_.groups) {
             std::sort(vertices.begin(), vertices.end());
             vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -93,17 +98,31 @@ class ObjReader
         return numbers;
     }
 
+    // A corner without a texture coordinate has its vertex's.
+    void find_texture_seams()
+    {
+        std::vector<std::array<glm::vec2, 3>> corner_uvs;
+        for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+            const auto uv_of = [&](int k) {
+                const std::uint32_t texcoord = texcoords_of_[f][k];
+                return texcoord == kNone ? mesh_.uvs[mesh_.faces[f][k]] : texcoords_[texcoord];
+            };
+            corner_uvs.push_back({uv_of(0), uv_of(1), uv_of(2)});
+        }
+        mesh_.seams = find_seams(mesh_.faces, mesh_.uvs, corner_uvs);
+    }
+
     void read_face(std::istringstream& words)
     {
-        std::vector<std::uint32_t> corners;
+        std::vector<std::uint32_t> corners, texcoords;
         for (std::string word; words >> word;) {
             const std::size_t slash = word.find('/');
             corners.push_back(number_of(word, word.substr(0, slash), mesh_.positions.size(), "vertex"));
+            texcoords.push_back(kNone);
             if (slash == word.npos) continue;
             const std::string texcoord = word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
             if (!texcoord.empty())
-                texcoords_of_.emplace_back(corners.back(),
-                                           number_of(word, texcoord, texcoords_.size(), "texture coordinate"));
+                texcoords.back() = number_of(word, texcoord, texcoords_.size(), "texture coordinate");
         }
         if (corners.size() < 3) fail("a face needs at least three vertices");
         if (corners.size() > kMostCorners)
@@ -113,6 +132,12 @@ class ObjReader
         if (faces.empty())
             fail("this polygon crosses or touches itself, or has no area; cut it into triangles where it was made");
         mesh_.faces.insert(mesh_.faces.end(), faces.begin(), faces.end());
+        const auto texcoord_of = [&](std::uint32_t vertex) {
+            const auto corner = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
+            return texcoords[static_cast<std::size_t>(corner)];
+        };
+        for (const glm::uvec3& face : faces)
+            texcoords_of_.emplace_back(texcoord_of(face.x), texcoord_of(face.y), texcoord_of(face.z));
         for (const std::string& group : groups_) add_to(group, corners);
         if (!object_.empty()) add_to(object_, corners);
     }
@@ -137,8 +162,8 @@ class ObjReader
     int line_ = 0;
     TriangleMesh mesh_;
     std::vector<glm::vec2> texcoords_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> texcoords_of_;  // vertex, texture coordinate; the last counts
-    std::vector<std::string> groups_;                                    // of the faces to come
+    std::vector<glm::uvec3> texcoords_of_;  // the corners of each face
+    std::vector<std::string> groups_;       // of the faces to come
     std::string object_;
 };
 

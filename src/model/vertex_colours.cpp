@@ -116,6 +116,7 @@ ClothModel placed_model(const ClothModel& model, const VertexColours& colours)
     }
     result.spring_table = placed_table(model.spring_table, colours);
     result.sheets.clear();
+    result.seams = {};
     return result;
 }
 

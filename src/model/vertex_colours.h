@@ -27,7 +27,7 @@ struct VertexColours
 // neighbouring places.
 VertexColours colour_vertices(const ClothModel& model, std::uint32_t grain);
 
-// The model with its vertices by place, and slots of springs as before; `sheets` is left empty. Places that only fill
+// The model with its vertices by place, and slots of springs as before; `sheets` and `seams` are empty. Places that only fill
 // up are vertices without springs, faces or area.
 ClothModel placed_model(const ClothModel& model, const VertexColours& colours);
 

@@ -33,12 +33,39 @@ Texture load_texture(const std::filesystem::path& path)
     return Texture(picture.width, picture.height, bottom_up);
 }
 
+bool has_seams(const ClothTopology& cloth) { return cloth.seams != nullptr && !cloth.seams->empty(); }
+
+std::vector<glm::uvec3> drawn_faces(const ClothTopology& cloth)
+{
+    std::vector<glm::uvec3> faces(cloth.faces.begin(), cloth.faces.end());
+    if (has_seams(cloth)) faces.insert(faces.end(), cloth.seams->faces.begin(), cloth.seams->faces.end());
+    return faces;
+}
+
+std::vector<glm::vec2> drawn_uvs(const ClothTopology& cloth)
+{
+    std::vector<glm::vec2> uvs(cloth.uvs.begin(), cloth.uvs.end());
+    if (has_seams(cloth)) uvs.insert(uvs.end(), cloth.seams->uvs.begin(), cloth.seams->uvs.end());
+    return uvs;
+}
+
+// Metres along u and v of the texture of a sheet.
+glm::vec2 metres_of(const ClothTopology& cloth, const DrawnSheet& sheet)
+{
+    if (cloth.rest.empty()) return glm::vec2(1);
+    if (!has_seams(cloth))
+        return metres_of_uv(cloth.faces.subspan(sheet.first_face, sheet.face_count), cloth.rest, cloth.uvs);
+    const std::span<const glm::uvec3> faces(cloth.seams->faces);
+    return metres_of_uv(faces.subspan(sheet.first_face, sheet.face_count), with_copies(cloth.rest, *cloth.seams),
+                        drawn_uvs(cloth));
+}
+
 }  // namespace
 
 ClothRenderer::ClothRenderer(const ClothTopology& cloth)
     : normals_(cloth.faces, cloth.vertex_count),
-      indices_(make_buffer(cloth.faces, GL_STATIC_DRAW)),
-      uvs_(make_buffer(cloth.uvs, GL_STATIC_DRAW)),
+      indices_(make_buffer(drawn_faces(cloth), GL_STATIC_DRAW)),
+      uvs_(make_buffer(drawn_uvs(cloth), GL_STATIC_DRAW)),
       index_count_(static_cast<GLsizei>(3 * cloth.faces.size()))
 {
     assert(cloth.uvs.size() == cloth.vertex_count);
@@ -47,15 +74,15 @@ ClothRenderer::ClothRenderer(const ClothTopology& cloth)
         assert(sheet.first_face + sheet.face_count <= cloth.faces.size());
         const auto [texture, is_new] = known.try_emplace(sheet.texture, textures_.size());
         if (is_new) textures_.push_back(load_texture(sheet.texture));
-        const auto faces = cloth.faces.subspan(sheet.first_face, sheet.face_count);
-        parts_.push_back({static_cast<GLsizei>(3 * sheet.first_face), static_cast<GLsizei>(3 * sheet.face_count),
-                          texture->second,
-                          cloth.rest.empty() ? glm::vec2(1) : metres_of_uv(faces, cloth.rest, cloth.uvs)});
+        const std::size_t first_face = sheet.first_face + (has_seams(cloth) ? cloth.faces.size() : 0);
+        parts_.push_back({static_cast<GLsizei>(3 * first_face), static_cast<GLsizei>(3 * sheet.face_count),
+                          texture->second, metres_of(cloth, sheet)});
     }
+    if (has_seams(cloth)) split_.emplace(cloth.seams->vertices, cloth.vertex_count);
     vertices_.attribute(ATTRIBUTE_POSITION, slot_positions, 3);
     vertices_.attribute(ATTRIBUTE_NORMAL, slot_normals, 4);
     vertices_.attribute(ATTRIBUTE_UV, slot_uvs, 2);
-    vertices_.vertices(slot_normals, normals_.buffer().id(), sizeof(glm::vec4));
+    vertices_.vertices(slot_normals, split_ ? split_->normals() : normals_.buffer().id(), sizeof(glm::vec4));
     vertices_.vertices(slot_uvs, uvs_.id(), sizeof(glm::vec2));
     vertices_.indices(indices_.id());
 }
@@ -79,7 +106,8 @@ void ClothRenderer::set_positions(GLuint positions, NormalKind kind)
 {
     positions_ = positions;
     normals_.update(positions, kind);
-    vertices_.vertices(slot_positions, positions, sizeof(glm::vec4));
+    if (split_) split_->update(positions, normals_.buffer().id());
+    vertices_.vertices(slot_positions, split_ ? split_->positions() : positions, sizeof(glm::vec4));
     barrier_compute_to_draw();
 }
 

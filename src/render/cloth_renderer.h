@@ -15,7 +15,9 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "model/texture_seams.h"
 #include "render/pixel_box.h"
+#include "render/split_vertices.h"
 #include "render/vertex_normals.h"
 
 namespace nuno {
@@ -34,7 +36,8 @@ struct ClothTopology
     std::span<const glm::uvec3> faces;  // vertex indices, counter-clockwise seen from the front
     std::span<const glm::vec2> uvs;     // one a vertex; (0, 0) is the lower left corner of the texture
     std::span<const DrawnSheet> sheets;
-    std::span<const glm::vec3> rest;  // positions [m], one a vertex, which tell how large a texture is; empty: 1 m
+    std::span<const glm::vec3> rest;      // positions [m], one a vertex, which tell how large a texture is; empty: 1 m
+    const TextureSeams* seams = nullptr;  // of the uvs; nullptr: none
 };
 
 // How often textures repeat.
@@ -78,11 +81,12 @@ class ClothRenderer
     };
 
     VertexNormals normals_;
+    std::optional<SplitVertices> split_;  // where textures have seams
     Buffer indices_, uvs_, uploaded_;
     VertexArray vertices_;
     std::vector<Texture> textures_;
     std::vector<Part> parts_;
-    GLsizei index_count_;
+    GLsizei index_count_;       // of all faces; after their indices come, where there are seams, those with copies
     GLuint positions_ = 0;      // drawn from
     Bounds uploaded_bounds_{};  // of uploaded_
 };

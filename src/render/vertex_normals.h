@@ -24,7 +24,7 @@ enum class NormalKind
     with_folds
 };
 
-// A kernel that gathers, for each vertex, over its faces in their order.
+// A kernel that gathers, for each vertex, over its faces in their order: smooth_normals on the device.
 class VertexNormals
 {
   public:
@@ -45,8 +45,5 @@ class VertexNormals
     Buffer starts_, corners_, normals_;
     BufferTexture positions_view_, starts_view_, corners_view_;
 };
-
-// The same on the CPU, face by face: what the kernel is tested against.
-std::vector<glm::vec3> smooth_normals(std::span<const glm::vec4> positions, std::span<const glm::uvec3> faces);
 
 }  // namespace nuno

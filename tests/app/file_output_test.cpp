@@ -149,6 +149,45 @@ TEST_F(FileOutputTest, a_gltf_file_holds_every_written_frame_and_the_texture)
     EXPECT_EQ(width, 256);
 }
 
+TEST_F(FileOutputTest, a_seam_of_the_texture_changes_files_and_not_the_simulation)
+{
+    const std::string mesh = "v 0 1 0\nv 0 0 0\nv 1 1 0\nv 1 0 0\nv 2 1 0\nv 2 0 0.1\nvt 0 1\nvt 0 0\nvt 1 1\nvt 1 0\n";
+    const auto simulate = [&](const std::string& name, const std::string& faces) {
+        folder.write(name + ".obj", mesh + faces);
+        const fs::path scene = folder.write(name + ".toml", "[[sheet]]\nmesh = \"" + name + ".obj\"\npins = [0]\n");
+        const fs::path base = folder.path() / ("written_" + name);
+        return run_program({"render", scene, "--backend", "cpu", "--quiet", "--no-images", "--frames", "20", "--hash",
+                            "--set", "fabric=cotton", "--pc2", base.string() + ".pc2", "--gltf",
+                            base.string() + ".glb"});
+    };
+    // On the left square, vertices 3 and 4 wear the right side of the texture, or what the right square gives them.
+    const ProgramResult seam = simulate("seam", "f 1/1 2/2 4/4 3/3\nf 3/1 4/2 6/4 5/3\n");
+    const ProgramResult none = simulate("none", "f 1/1 2/2 4/2 3/1\nf 3/1 4/2 6/4 5/3\n");
+    EXPECT_EQ(seam.exit_code, 0) << seam.err;
+    EXPECT_THAT(seam.out, testing::StartsWith("state-hash "));
+    EXPECT_EQ(seam.out, none.out);
+    EXPECT_EQ(read_text(folder.path() / "written_seam.pc2"), read_text(folder.path() / "written_none.pc2"));
+    const auto lines = [&](const std::string& file, const std::string& start) {
+        std::istringstream text(read_text(folder.path() / file));
+        int count = 0;
+        for (std::string line; std::getline(text, line);) count += line.starts_with(start) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(lines("written_seam.obj", "v "), 6) << "as many as the point cache moves";
+    EXPECT_EQ(lines("written_seam.obj", "vt "), 8);
+    EXPECT_EQ(lines("written_none.obj", "vt "), 6);
+    const auto vertex_count = [&](const std::string& file) {
+        const std::string bytes = read_text(folder.path() / file);
+        std::uint32_t length = 0;
+        std::memcpy(&length, bytes.data() + 12, sizeof length);
+        const auto json = nlohmann::json::parse(bytes.substr(20, length));
+        const auto& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+        return json["accessors"][attributes["POSITION"].get<std::size_t>()]["count"].get<int>();
+    };
+    EXPECT_EQ(vertex_count("written_seam.glb"), 8);
+    EXPECT_EQ(vertex_count("written_none.glb"), 6);
+}
+
 TEST_F(FileOutputTest, names_with_an_ending_of_another_format_are_refused)
 {
     EXPECT_THAT(run({"--no-images", "--pc2", folder.path() / "a.obj"}).err, HasSubstr("ends in .pc2"));

@@ -53,7 +53,8 @@ void compile_everything(const Bodies& bodies, bool as_mesh)
         params.gust_speed = 1;
         make_solver(model, bodies, params, pool);
     }
-    SceneView view({model.vertex_count(), model.faces, model.uvs, {}, {}});
+    const TextureSeams seams{{0}, {{0, 0}}, model.faces};
+    SceneView view({model.vertex_count(), model.faces, model.uvs, {}, {}, &seams});
     for (std::size_t look = 0; look < choice_names(Look{}).size(); ++look) view.prepare(static_cast<Look>(look));
     const OverlayRenderer overlays;
 }

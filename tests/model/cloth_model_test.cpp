@@ -51,6 +51,26 @@ TEST(ClothModel, several_sheets_keep_apart)
     EXPECT_EQ(std::accumulate(model.pinned.begin(), model.pinned.end(), 0), 1);
 }
 
+TEST(ClothModel, copies_at_the_seams_of_textures_count_on_from_the_vertices_of_all_sheets)
+{
+    SheetSource seamed = square_mesh(2, 1);
+    ASSERT_EQ(seamed.mesh.faces.size(), 2u);
+    const std::uint32_t corner = seamed.mesh.faces[1].z;
+    seamed.mesh.seams = {{corner}, {{7, 7}}, seamed.mesh.faces};
+    seamed.mesh.seams.faces[1].z = 4;
+    const SheetSource plain = square_sheet(3, 1);
+    EXPECT_TRUE(build_cloth_model(std::span(&plain, 1), MassLumping::area).seams.empty());
+    const std::vector<SheetSource> sources{plain, seamed, seamed};
+    const ClothModel model = build_cloth_model(sources, MassLumping::area);
+    EXPECT_EQ(model.seams.vertices, (std::vector<std::uint32_t>{9 + corner, 13 + corner}));
+    EXPECT_EQ(model.seams.uvs.size(), 2u);
+    ASSERT_EQ(model.seams.faces.size(), model.faces.size());
+    EXPECT_EQ(model.seams.faces[0], model.faces[0]);
+    EXPECT_EQ(model.seams.faces[9].z, 17u);
+    EXPECT_EQ(model.seams.faces[11].z, 18u);
+    EXPECT_EQ(model.seams.faces[11].x, model.faces[11].x);
+}
+
 TEST(ClothModel, meshes_that_are_no_cloth_are_refused_with_the_element)
 {
     SheetSource s = square_sheet(3, 1);

@@ -1,13 +1,18 @@
 // Binary glTF files, read back byte by byte as the specification says.
 #include "model/gltf_file.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include <glm/geometric.hpp>
+
 #include "core/files.h"
+#include "model/smooth_normals.h"
 #include "support/program_run.h"
 
 namespace nuno {
@@ -129,6 +134,59 @@ TEST_F(GltfFileTest, every_frame_decodes_to_its_positions)
     }
 }
 
+TEST_F(GltfFileTest, the_smooth_normals_of_every_frame_come_back)
+{
+    const Glb glb = write(3);
+    const auto vectors = [&](const Json& index) {
+        const std::vector<float> numbers = numbers_of<float>(glb, glb.json["accessors"].at(index.get<std::size_t>()));
+        std::vector<glm::vec3> result;
+        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+            result.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+        return result;
+    };
+    for (std::size_t p = 0; p < 2; ++p) {
+        const Json& primitive = glb.json["meshes"].at(p)["primitives"][0];
+        const std::size_t first = p == 0 ? 0 : 4, count = p == 0 ? 4 : 3;
+        const std::vector<glm::vec3> base = vectors(primitive["attributes"]["NORMAL"]);
+        ASSERT_EQ(base.size(), count);
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::vector<glm::vec3> turn(count, glm::vec3(0));
+            if (k > 0) turn = vectors(primitive["targets"].at(k - 1)["NORMAL"]);
+            ASSERT_EQ(turn.size(), count);
+            const std::vector<glm::vec3> wanted = smooth_normals(frames[k], two_sheets().faces);
+            for (std::size_t i = 0; i < count; ++i) {
+                EXPECT_NEAR(glm::length(base[i] + turn[i]), 1, 1e-6);
+                EXPECT_LT(glm::distance(base[i] + turn[i], wanted[first + i]), 1e-6);
+            }
+        }
+    }
+}
+
+TEST_F(GltfFileTest, a_view_that_several_vertex_attributes_use_names_its_stride)
+{
+    const Glb glb = write(3);
+    std::map<std::size_t, int> use_count;
+    const auto use = [&](const Json& attributes) {
+        for (const auto& [name, index] : attributes.items()) {
+            const Json& accessor = glb.json["accessors"].at(index.get<std::size_t>());
+            const Json& view = glb.json["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
+            EXPECT_EQ(view["byteStride"], accessor["type"] == "VEC3" ? 12 : 8) << name;
+            EXPECT_EQ(view["target"], 34962);
+            ++use_count[accessor["bufferView"]];
+        }
+    };
+    for (const Json& mesh : glb.json["meshes"]) {
+        const Json& primitive = mesh["primitives"][0];
+        use(primitive["attributes"]);
+        for (const Json& target : primitive["targets"]) use(target);
+        const Json& corners = glb.json["accessors"].at(primitive["indices"].get<std::size_t>());
+        EXPECT_FALSE(glb.json["bufferViews"].at(corners["bufferView"].get<std::size_t>()).contains("byteStride"));
+    }
+    // Two sheets: the mesh and two targets with positions and normals each, and the texture coordinates.
+    EXPECT_THAT(use_count, testing::UnorderedElementsAre(testing::Pair(0, 4), testing::Pair(1, 2),
+                                                         testing::Pair(testing::_, 4), testing::Pair(testing::_, 4)));
+}
+
 TEST_F(GltfFileTest, parts_have_their_own_faces_and_textures)
 {
     const Glb glb = write(2);
@@ -161,6 +219,46 @@ TEST_F(GltfFileTest, the_weight_of_a_frame_is_1_at_its_time_and_0_at_those_of_ot
     EXPECT_EQ(numbers_of<float>(glb, accessors.at(sampler["output"].get<std::size_t>())),
               (std::vector<float>{0, 0, 1, 0, 0, 1}));
     EXPECT_EQ(glb.json["meshes"][0]["weights"], (Json{0, 0}));
+}
+
+TEST_F(GltfFileTest, a_seam_of_the_texture_splits_vertices_and_not_the_light)
+{
+    // Two squares that meet at a right angle along vertices 1 and 2, and a triangle in a part of its own.
+    const std::vector<glm::vec4> positions = {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0},
+                                              {1, 1, 1, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}, {5, 1, 0, 0}};
+    GltfCloth cloth;
+    cloth.faces = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {6, 7, 8}};
+    cloth.parts = {{"corner", 0, 6, 0, 4, {}}, {"rest", 6, 3, 4, 1, {}}};
+    cloth.uvs.resize(9, {0.25f, 0});
+    split_at_seams(cloth,
+                   {{2, 8, 1}, {{1, 1}, {0.5f, 0}, {1, 0}}, {{0, 11, 9}, {0, 9, 3}, {1, 4, 5}, {1, 5, 2}, {6, 7, 10}}});
+    GltfFile file(directory.path() / "c.glb", cloth);
+    file.add(positions, 0);
+    file.add(positions, 1);
+    file.finish();
+    const Glb glb = read_glb(directory.path() / "c.glb");
+    const auto numbers = [&](const Json& index) {
+        return numbers_of<float>(glb, glb.json["accessors"].at(index.get<std::size_t>()));
+    };
+    const Json& corner = glb.json["meshes"][0]["primitives"][0];
+    const auto faces = numbers_of<std::uint32_t>(glb, glb.json["accessors"].at(corner["indices"].get<std::size_t>()));
+    EXPECT_EQ(faces, (std::vector<std::uint32_t>{0, 7, 6, 0, 6, 3, 1, 4, 5, 1, 5, 2}));
+    const auto place = numbers(corner["attributes"]["POSITION"]), light = numbers(corner["attributes"]["NORMAL"]);
+    const auto uvs = numbers(corner["attributes"]["TEXCOORD_0"]);
+    ASSERT_EQ(place.size(), 3u * 8);
+    EXPECT_EQ(numbers(corner["targets"][0]["NORMAL"]).size(), 3u * 8);
+    for (const auto& [copy, vertex] : {std::pair{6u, 2u}, {7u, 1u}}) {
+        for (unsigned k = 0; k < 3; ++k) {
+            EXPECT_EQ(place[3 * copy + k], positions[vertex][int(k)]);
+            EXPECT_EQ(light[3 * copy + k], light[3 * vertex + k]);
+        }
+        EXPECT_NE(light[3 * vertex], 0) << "of both squares";
+        EXPECT_NE(light[3 * vertex + 2], 0);
+        EXPECT_EQ(uvs[2 * copy], 1);
+        EXPECT_EQ(uvs[2 * vertex], 0.25f);
+    }
+    const Json& rest = glb.json["meshes"][1]["primitives"][0];
+    EXPECT_EQ(numbers(rest["attributes"]["POSITION"]), (std::vector<float>{5, 0, 0, 6, 0, 0, 5, 1, 0, 5, 1, 0}));
 }
 
 TEST_F(GltfFileTest, one_frame_is_a_mesh_at_rest_and_none_is_no_file)

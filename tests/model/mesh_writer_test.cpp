@@ -41,6 +41,26 @@ TEST(MeshWriter, obj_and_ply_give_back_the_same_floats)
     }
 }
 
+TEST(MeshWriter, an_obj_with_a_seam_of_the_texture_comes_back_as_it_was)
+{
+    const TemporaryDirectory directory;
+    const TriangleMesh mesh = load_obj(
+        directory.write("a.obj",
+                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                        "f 1/1 2/2 3/3 4/4\nf 2/1 5/2 6/3 3/4\n"));
+    std::vector<glm::vec4> positions;
+    for (const glm::vec3& p : mesh.positions) positions.emplace_back(p, 0);
+    const std::string text = obj_text({positions, mesh.uvs, mesh.faces, {}, {}, &mesh.seams});
+    const TriangleMesh back = load_obj(directory.write("b.obj", text));
+    EXPECT_EQ(back.positions, mesh.positions);
+    EXPECT_EQ(back.faces, mesh.faces);
+    EXPECT_EQ(back.uvs, mesh.uvs);
+    ASSERT_EQ(mesh.seams.vertices.size(), 2u);
+    EXPECT_EQ(back.seams.vertices, mesh.seams.vertices);
+    EXPECT_EQ(back.seams.uvs, mesh.seams.uvs);
+    EXPECT_EQ(back.seams.faces, mesh.seams.faces);
+}
+
 TEST(MeshWriter, sheets_are_groups_with_materials_of_their_own)
 {
     SheetSource first = square_sheet(2, 1), second = square_sheet(3, 1);

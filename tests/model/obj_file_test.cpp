@@ -48,6 +48,42 @@ TEST(ObjFile, texture_coordinates_are_read_or_made)
     EXPECT_EQ(made.uvs[2], glm::vec2(1, 1));
 }
 
+// Two squares side by side; the texture has a seam along the side between them, vertices 1 and 2.
+const std::string kSeam = kSquare +
+                          "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                          "f 1/1 2/2 3/3 4/4\nf 2/1 5/2 6/3 3/4\n";
+
+TEST(ObjFile, a_seam_of_the_texture_gives_each_side_its_own_coordinates)
+{
+    const TriangleMesh mesh = load(kSeam);
+    EXPECT_EQ(mesh.positions.size(), 6u) << "a vertex is one, however many texture coordinates it has";
+    EXPECT_EQ(mesh.uvs[1], glm::vec2(0, 0)) << "the last is its own";
+    EXPECT_EQ(mesh.uvs[2], glm::vec2(0, 1));
+    EXPECT_THAT(mesh.seams.vertices, testing::UnorderedElementsAre(1u, 2u));
+    ASSERT_EQ(mesh.seams.faces.size(), 4u);
+    const std::vector<glm::vec3> positions = with_copies(std::span<const glm::vec3>(mesh.positions), mesh.seams);
+    std::vector<glm::vec2> uvs = mesh.uvs;
+    uvs.insert(uvs.end(), mesh.seams.uvs.begin(), mesh.seams.uvs.end());
+    for (std::size_t f = 0; f < 4; ++f)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t corner = mesh.seams.faces[f][k];
+            ASSERT_LT(corner, 8u);
+            const glm::vec3 place = positions[corner];
+            EXPECT_EQ(place, mesh.positions[mesh.faces[f][k]]);
+            EXPECT_EQ(uvs[corner], glm::vec2(place.x - (f < 2 ? 0 : 1), place.y)) << "face " << f;
+        }
+}
+
+TEST(ObjFile, texture_coordinates_that_agree_are_no_seam)
+{
+    const TriangleMesh same = load(kSquare + "vt 0 0\nvt 0 0\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n");
+    EXPECT_TRUE(same.seams.empty());
+    EXPECT_TRUE(same.seams.vertices.empty());
+    const TriangleMesh half = load(kSquare + "vt 0.5 0.25\nf 1/1 2/1 3/1\nf 1 3 4\n");
+    EXPECT_TRUE(half.seams.empty()) << "a corner without any has its vertex's";
+    EXPECT_EQ(half.uvs[3], glm::vec2(0, 1));
+}
+
 TEST(ObjFile, comments_and_normals_are_passed_over)
 {
     EXPECT_EQ(load(kSquare + "vn 0 0 1\nf 1//1 2//1 3//1 # one\nf 1 3 4 # two\n").faces.size(), 2u);

@@ -1,6 +1,8 @@
 // What a picture shows: cloth lit on both sides in either look, its texture, spheres, floor, shadow and background.
 #include "render/scene_view.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "core/error.h"
@@ -95,6 +97,41 @@ TEST_F(SceneViewTest, the_texture_colours_the_cloth_and_repeats_as_asked)
     EXPECT_GT(glm::distance(cloth_colour(stripes), cloth_colour(plain)), 10);
     params.texture_scale = 1;
     EXPECT_GT(compare_pictures(stripes, draw(bent_sheet(17, texture_path("stripe.bmp")))).changed_part, 0.02);
+}
+
+// The copies of the seam against vertices that are really two, on a flat sheet, where both have the same light.
+TEST_F(SceneViewTest, a_seam_of_the_texture_shows_each_side_as_its_own)
+{
+    BentSheet sheet = bent_sheet(17, texture_path("print.bmp"));
+    for (glm::vec4& position : sheet.positions) position.z = 0;
+    BentSheet twice = sheet;
+    TextureSeams seams{{}, {}, sheet.faces};
+    for (std::size_t f = 0; f < sheet.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = sheet.faces[f][k];
+            // Of the faces of the right half, those that begin at column 8.
+            if (vertex % 17 != 8 ||
+                std::max({sheet.faces[f].x % 17, sheet.faces[f].y % 17, sheet.faces[f].z % 17}) == 8)
+                continue;
+            const auto copy = static_cast<std::uint32_t>(sheet.positions.size() + seams.vertices.size());
+            seams.vertices.push_back(vertex);
+            seams.uvs.emplace_back(0, sheet.uvs[vertex].y);
+            seams.faces[f][k] = copy;
+            twice.positions.push_back(sheet.positions[vertex]);
+            twice.uvs.push_back(seams.uvs.back());
+            twice.faces[f][k] = copy;
+        }
+    ASSERT_GT(seams.vertices.size(), 16u);
+    ClothTopology cloth = sheet.topology();
+    cloth.seams = &seams;
+    for (const Look look : {Look::gouraud, Look::phong, Look::cloth}) {
+        params.look = look;
+        SceneView view(cloth);
+        Picture picture;
+        view.draw_picture(params, view.upload_positions(sheet.positions), {bodies}, picture);
+        EXPECT_LT(compare_pictures(picture, draw(twice)).mean, 0.01);
+        EXPECT_GT(compare_pictures(picture, draw(sheet)).mean, 0.05) << "the seam is seen";
+    }
 }
 
 TEST_F(SceneViewTest, two_sheets_wear_their_own_textures)

@@ -114,6 +114,15 @@ TEST_F(TextureFileTest, a_bmp_with_a_palette_is_read)
     EXPECT_EQ(load_picture(path, 64).rgba, (std::vector<std::uint8_t>{6, 5, 4, 255, 3, 2, 1, 255}));
 }
 
+TEST_F(TextureFileTest, a_bmp_of_16_bits_a_pixel_is_read)
+{
+    std::string bytes = bmp(2, 1).substr(0, 54);
+    bytes[28] = 16;                               // bits: 1 unused, then 5 each of red, green, blue
+    bytes += std::string("\x1f\x00\x00\x7c", 4);  // blue, red
+    write_whole(path, bytes);
+    EXPECT_EQ(load_picture(path, 64).rgba, (std::vector<std::uint8_t>{0, 0, 255, 255, 255, 0, 0, 255}));
+}
+
 TEST_F(TextureFileTest, of_16_bits_a_channel_the_upper_8_are_taken)
 {
     write_whole(path, png(1, 1, 16, std::string("\0\x10\xff\x20\x00\x30\x80", 7)));

@@ -6,6 +6,7 @@
 
 #include "gl/barriers.h"
 #include "gl/gl_test.h"
+#include "model/smooth_normals.h"
 #include "render/bent_sheet.h"
 #include "render/view_block.h"
 
