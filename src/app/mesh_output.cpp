@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -60,16 +61,16 @@ MeshOutput::MeshOutput(const MeshPlan& plan, const Simulation& simulation, float
 void MeshOutput::write(Simulation& simulation)
 {
     const auto name = [&](const char* ending) { return fmt::format("mesh_{:05}.{}", simulation.frame(), ending); };
-    const bool is_start = simulation.frame() == 0;
+    const bool is_first = std::exchange(is_first_, false);
     if (plan_.format == MeshFormat::obj) {
-        if (is_start) write_materials(simulation, plan_.directory / "mesh.mtl");
+        if (is_first) write_materials(simulation, plan_.directory / "mesh.mtl");
         write_obj(simulation, plan_.directory / name("obj"), "mesh.mtl");
     }
     if (plan_.format == MeshFormat::ply) {
         const MeshView mesh{simulation.state().positions, {}, simulation.model().faces, {}, {}};
         write_whole(plan_.directory / name("ply"), ply_text(mesh));
     }
-    if (cache_ && is_start) {
+    if (cache_ && is_first) {
         const fs::path materials = beside(plan_.pc2, ".mtl");
         write_materials(simulation, materials);
         write_obj(simulation, beside(plan_.pc2, ".obj"), materials.filename());

@@ -44,6 +44,7 @@ class MeshOutput
     void write_materials(const Simulation& simulation, const std::filesystem::path& path) const;
 
     MeshPlan plan_;
+    bool is_first_ = true;  // frame to be written, with which the files go that stand beside
     float repeats_;
     std::vector<MeshPart> parts_;
     std::optional<PointCache> cache_;

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/round_up.h"
 #include "render/colour_map.h"
 
 namespace nuno {
@@ -96,14 +97,7 @@ std::vector<float> thread_strains(const ClothModel& model, std::span<const glm::
     return strains;
 }
 
-double round_top(double largest, double least)
-{
-    if (!(largest > least)) return least;
-    const double power = std::pow(10.0, std::floor(std::log10(largest)));
-    for (const double digit : {1.0, 2.0, 5.0})
-        if (digit * power >= largest) return digit * power;
-    return 10 * power;
-}
+double round_top(double largest, double least) { return largest > least ? round_up_125(largest) : least; }
 
 ClothHeat heat_of(const ViewParams& view, Simulation& simulation, TreePicture* tree, OverlayLegend& legend)
 {

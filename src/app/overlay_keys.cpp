@@ -34,6 +34,7 @@ void press_overlay_key(int key, ViewerSession& session)
         const ParamInfo& info = *find_param(view_param_table(), overlay.param);
         const bool is_on = param_value(info, &session.view()) == overlay.on;
         session.set_view_param(info, is_on ? 0 : overlay.on);
+        session.end_drag();
     }
 }
 

@@ -126,6 +126,8 @@ void draw_ladder(ViewerSession& session, ViewerLog& log)
     }
     draw_promise(session);
     const std::string changed = session.trade().changed_param(session.simulation().asked_params());
+    if (!session.simulation().is_as_placed())
+        wrapped("Measured with pins and bodies where the scene has them.", {0.95f, 0.77f, 0.36f, 1});
     if (changed.empty()) return;
     wrapped(fmt::format("Measured with another {}.", changed), {0.95f, 0.77f, 0.36f, 1});
     if (button(log, "Measure again", "With the parameters as they are now")) session.measure_ladder();

@@ -38,6 +38,11 @@ void ParamHistory::record(std::string name, std::vector<ParamChange> changes, bo
     if (drags && continues_drag(changes)) {
         std::vector<ParamChange>& last = entries_.back().changes;
         for (std::size_t i = 0; i < last.size(); ++i) last[i].after = changes[i].after;
+        const auto is_back = [](const ParamChange& change) { return change.before == change.after; };
+        if (!std::all_of(last.begin(), last.end(), is_back)) return;
+        entries_.pop_back();
+        done_ = entries_.size();
+        drags_ = false;
         return;
     }
     entries_.push_back({std::move(name), std::move(changes)});

@@ -26,7 +26,7 @@ class ParamHistory
     static constexpr std::size_t kMostEntries = 200;
 
     // Adds one entry of changes made together, and forgets what was undone. While a drag lasts, changes of the
-    // parameters of the entry before go into that. Where nothing changed, nothing is added.
+    // parameters of the entry before go into that; where it comes back to its start, the entry goes. Where nothing changed, nothing is added.
     void record(std::string name, std::vector<ParamChange> changes, bool drags = false);
     // The slider was let go: the next change is an entry of its own.
     void end_drag() { drags_ = false; }

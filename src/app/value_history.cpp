@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/round_up.h"
+
 namespace nuno {
 namespace {
 
@@ -29,13 +31,6 @@ double ValueHistory::highest() const
     return samples_.empty() ? 0 : std::max_element(samples_.begin(), samples_.end(), is_lower)->value;
 }
 
-double round_axis(double value)
-{
-    if (!(value > 0)) return 1;
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0})
-        if (value <= step * power) return step * power;
-    return 10 * power;
-}
+double round_axis(double value) { return value > 0 ? round_up_125(value) : 1; }
 
 }  // namespace nuno

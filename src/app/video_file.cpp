@@ -39,6 +39,7 @@ pid_t start(const std::vector<std::string>& words, int input)
     const int failed = posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
+    errno = failed;
     return failed ? -1 : child;
 }
 
@@ -79,9 +80,10 @@ VideoFile::VideoFile(fs::path path, int width, int height, double frames_per_sec
     pipe_ = ends[1];
     if (encoder_ >= 0) return;
     ::close(pipe_);
-    throw Error(fmt::format(
-        "--video {}: needs ffmpeg, which is not installed; install the package ffmpeg, or leave --video out",
-        path_.string()));
+    throw Error(
+        fmt::format("{}: a video needs ffmpeg, which cannot be started ({}); install the package ffmpeg, or write "
+                    "PNG files instead",
+                    path_.string(), std::strerror(errno)));
 }
 
 VideoFile::~VideoFile()

@@ -81,7 +81,7 @@ class Viewer
     StageTimes stage_ms_;  // since the last frame that was shown
     int simulated_frames_ = 0;
     double simulated_s_ = 0;
-    int frames_to_measurement_ = 0;
+    int frames_to_measurement_ = 0, measured_frame_ = -1;
     int lively_frames_ = kLivelyFrames;
     int start_count_ = 0;
     bool photo_asked_ = false, panel_has_keys_ = false, help_shown_ = false;
@@ -169,7 +169,7 @@ void Viewer::add_stats(const std::vector<FrameStats>& stats)
         for (const StageInfo& stage : kStages) stage_ms_.*stage.ms += frame.stage_ms.*stage.ms;
         simulated_s_ += 1.0 / session_.simulation().params().frame_rate;
         meters_.count = frame.count;
-        meters_.plots.add(frame.frame / double(session_.simulation().params().frame_rate), frame.count);
+        meters_.plots.add(frame.time_s, frame.count);
     }
     simulated_frames_ += static_cast<int>(stats.size());
     frames_to_measurement_ -= static_cast<int>(stats.size());
@@ -178,7 +178,10 @@ void Viewer::add_stats(const std::vector<FrameStats>& stats)
 void Viewer::measure()
 {
     if (!meters_.measure || session_.went_bad()) return meters_.diagnostics.reset();
-    if (meters_.diagnostics && frames_to_measurement_ > 0) return;
+    const int frame = session_.simulation().frame();
+    const bool was_shown = session_.paused() && frame != measured_frame_;  // looked back at, or stepped to
+    if (meters_.diagnostics && frames_to_measurement_ > 0 && !was_shown) return;
+    measured_frame_ = frame;
     meters_.diagnostics = session_.simulation().diagnostics();
     meters_.stability = session_.simulation().stability();
     meters_.plots.add(session_.simulation().time_s(), *meters_.diagnostics);

@@ -21,12 +21,13 @@ bool ViewerSession::change_sim_params(const SimParams& params, const std::string
 {
     const SimParams asked = simulation_->asked_params();
     try {
-        give_up_measuring();
-        for (const ParamChange& change : changes_between(sim_param_table(), &asked, &params))
-            if (is_chosen_by_auto(change.info->name) || needs_restart(change.info->name)) promise_.reset();
         // A rebuild begins at frame 0, but frame 0 alone tells nothing: this object does.
         const ClothModel* before = &simulation_->model();
         simulation_->set_params(params);
+        give_up_measuring();
+        for (const ParamChange& change : changes_between(sim_param_table(), &asked, &params))
+            if (is_chosen_by_auto(change.info->name) || needs_restart(change.info->name)) promise_.reset();
+        if (params.frame_rate != asked.frame_rate) stop_recording();  // its video has the rate of its start
         log_.action("{}", told);
         if (!went_bad_) error_.clear();
         if (&simulation_->model() != before) {
@@ -83,7 +84,11 @@ bool ViewerSession::set_values(const std::vector<ParamHistory::Value>& values, c
         void* block = is_of(sim_param_table(), value.info) ? static_cast<void*>(&params) : &view;
         set_param(info, block, value.value, "panel");
     }
-    if (!change_sim_params(params, told)) return false;
+    const SimParams before = simulation_->asked_params();
+    if (same_params(before, params))
+        log_.action("{}", told);
+    else if (!change_sim_params(params, told))
+        return false;
     view_ = view;
     return true;
 }
@@ -136,7 +141,11 @@ void ViewerSession::show_frame(int frame)
     if (trade_.is_measuring() || time_.frames().empty()) return;
     stop_recording();
     set_paused(true);
-    time_.show(*simulation_, frame);
+    try {
+        time_.show(*simulation_, frame);
+    } catch (const std::exception& error) {
+        return note_error(error);
+    }
     if (promise_) promise_->restart();
     if (std::exchange(went_bad_, false)) error_.clear();
     log_.set_frame(simulation_->frame());

@@ -32,7 +32,6 @@ ViewerGrip::ViewerGrip(Simulation& simulation, bool is_body, std::size_t number,
     : is_body_(is_body), number_(number), drag_(drag)
 {
     if (is_body) start_way_ = way_of_hand(simulation, number);
-    hold(simulation);
 }
 
 std::optional<ViewerGrip> ViewerGrip::take(Simulation& simulation, const PickView& view, glm::vec2 place,
@@ -43,7 +42,9 @@ std::optional<ViewerGrip> ViewerGrip::take(Simulation& simulation, const PickVie
     const glm::vec3 point = is_body ? unproject(view, glm::vec3(place, under.body_depth))
                                     : glm::vec3(simulation.state().positions[*under.vertex]);
     const PointDrag drag(point, view.camera.forward, ray_through(view.camera, place, view.size));
-    return ViewerGrip(simulation, is_body, is_body ? *under.body : *under.vertex, drag);
+    const ViewerGrip grip(simulation, is_body, is_body ? *under.body : *under.vertex, drag);
+    if (!grip.hold(simulation)) return std::nullopt;
+    return grip;
 }
 
 void ViewerGrip::follow(Simulation& simulation, const PickView& view, glm::vec2 place)
@@ -52,12 +53,11 @@ void ViewerGrip::follow(Simulation& simulation, const PickView& view, glm::vec2 
     hold(simulation);
 }
 
-void ViewerGrip::hold(Simulation& simulation) const
+bool ViewerGrip::hold(Simulation& simulation) const
 {
-    if (is_body_)
-        simulation.hold_body(number_, start_way_ + glm::dvec3(drag_.target() - drag_.start()));
-    else
-        simulation.hold_vertex(static_cast<std::uint32_t>(number_), drag_.target());
+    if (!is_body_) return simulation.hold_vertex(static_cast<std::uint32_t>(number_), drag_.target());
+    simulation.hold_body(number_, start_way_ + glm::dvec3(drag_.target() - drag_.start()));
+    return true;
 }
 
 void ViewerGrip::release(Simulation& simulation) const

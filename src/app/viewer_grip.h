@@ -39,7 +39,7 @@ class ViewerGrip
 
   private:
     ViewerGrip(Simulation& simulation, bool is_body, std::size_t number, const PointDrag& drag);
-    void hold(Simulation& simulation) const;
+    bool hold(Simulation& simulation) const;
 
     bool is_body_;
     std::size_t number_;

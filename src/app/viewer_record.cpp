@@ -9,8 +9,8 @@ namespace nuno {
 void ViewerSession::toggle_recording()
 {
     if (recording_.is_on()) return stop_recording();
-    if (went_bad_) return;
     try {
+        if (went_bad_) throw Error("record: the numbers are no longer finite; restart before recording");
         recording_.start(recording_plan_, *simulation_, view_);
         log_.action("recording to {}", recording_.directory().string());
     } catch (const std::exception& error) {

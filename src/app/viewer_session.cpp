@@ -110,18 +110,16 @@ void ViewerSession::note_error(const std::exception& error)
 
 // Runs the simulation; where its numbers go bad, it stays as it is and waits for a restart.
 template <class Run>
-std::vector<FrameStats> ViewerSession::run(Run run)
+void ViewerSession::run(Run run)
 {
-    std::vector<FrameStats> frames;
     try {
-        frames = run();
+        run();
     } catch (const Error& error) {
         went_bad_ = error.code() == ExitCode::went_bad;
         set_paused(true);
         note_error(error);
     }
     log_.set_frame(simulation_->frame());
-    return frames;
 }
 
 // In the window too: another setting changes what the panel shows.
@@ -149,19 +147,24 @@ void ViewerSession::after_frame(const FrameStats& frame)
 std::vector<FrameStats> ViewerSession::advance(double elapsed_s)
 {
     if (is_at_rest()) return {};
-    return run([&] {
-        return simulation_->advance(elapsed_s / time_.slowness(), [&](const FrameStats& frame) { after_frame(frame); });
+    std::vector<FrameStats> frames;
+    run([&] {
+        simulation_->advance(elapsed_s / time_.slowness(), [&](const FrameStats& frame) {
+            frames.push_back(frame);
+            after_frame(frame);
+        });
     });
+    return frames;
 }
 
 std::vector<FrameStats> ViewerSession::step()
 {
     if (went_bad_ || trade_.is_measuring()) return {};
     paused_ = true;
-    std::vector<FrameStats> frames = run([&] {
-        const FrameStats frame = simulation_->advance_frame();
-        after_frame(frame);
-        return std::vector{frame};
+    std::vector<FrameStats> frames;
+    run([&] {
+        frames.push_back(simulation_->advance_frame());
+        after_frame(frames.back());
     });
     log_.action("stepped");
     return frames;

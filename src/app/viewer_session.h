@@ -115,12 +115,12 @@ class ViewerSession
     void judge_stability();
     void tell_of_start();
     template <class Run>
-    std::vector<FrameStats> run(Run run);
+    void run(Run run);
     void keep_promise(const FrameStats& frame);
     void record_frame();
     void after_frame(const FrameStats& frame);
     void begin_promise();
-    void set_rung(std::size_t rung);
+    bool set_rung(std::size_t rung);
     void rebuild_picture();
     bool change_sim_params(const SimParams& params, const std::string& told);
     bool set_values(const std::vector<ParamHistory::Value>& values, const std::string& told);

@@ -41,7 +41,7 @@ void ViewerSession::begin_promise()
 {
     const MeasuredLadder& ladder = *trade_.ladder();
     const Rung& chosen = ladder.rungs[ladder.chosen];
-    set_rung(ladder.chosen);
+    if (!set_rung(ladder.chosen)) return;
     promise_ = std::make_unique<PromiseKeeper>(ladder.keeper());
     if (quiet_) return;
     const std::string& name = simulation_->scene().name;
@@ -54,13 +54,14 @@ void ViewerSession::begin_promise()
 void ViewerSession::use_rung(std::size_t rung)
 {
     const SimParams before = simulation_->asked_params();
+    if (!set_rung(rung)) return;
     promise_.reset();
-    set_rung(rung);
     const SimParams after = simulation_->asked_params();
     history_.record("speed and accuracy", changes_between(sim_param_table(), &before, &after), true);
 }
 
-void ViewerSession::set_rung(std::size_t rung)
+// Whether it did; where not, the error is told.
+bool ViewerSession::set_rung(std::size_t rung)
 {
     const MeasuredLadder& ladder = *trade_.ladder();
     try {
@@ -69,8 +70,10 @@ void ViewerSession::set_rung(std::size_t rung)
         if (!went_bad_) error_.clear();
         trade_.forget_frames();
         judge_stability();
+        return true;
     } catch (const std::exception& error) {
         note_error(error);
+        return false;
     }
 }
 

@@ -151,13 +151,14 @@ const ClothState& Simulation::state()
     return state_;
 }
 
-void Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
+bool Simulation::hold_vertex(std::uint32_t vertex, glm::vec3 target)
 {
     const auto on_handle = [&](const HandlePin& pin) { return pin.vertex == vertex; };
-    if (std::any_of(model_->handle_pins.begin(), model_->handle_pins.end(), on_handle)) return;
+    if (std::any_of(model_->handle_pins.begin(), model_->handle_pins.end(), on_handle)) return false;
     if (held_ && held_->vertex() != vertex) release_vertex();
     if (!held_) held_.emplace(*model_, params_, vertex, glm::vec3(state().positions[vertex]));
     held_->set_target(target);
+    return true;
 }
 
 void Simulation::release_vertex()

@@ -78,13 +78,16 @@ class Simulation
     std::uint32_t position_buffer() const { return solver_->position_buffer(); }
 
     // Drags a vertex towards `target` [m] until it is released, no faster than a hand and no further than its threads
-    // can stretch. A pinned vertex stays pinned where it is left; one on a handle of the scene goes with that.
-    void hold_vertex(std::uint32_t vertex, glm::vec3 target);
+    // can stretch. A pinned vertex stays pinned where it is left; one on a handle of the scene goes with that:
+    // false.
+    bool hold_vertex(std::uint32_t vertex, glm::vec3 target);
     void release_vertex();
     // As MovableBodies::hold; it stays where it is left until the next restart. Error where cloth is tied to bodies.
     void hold_body(std::size_t body, const glm::dvec3& way);
     void release_body() { bodies_.release(); }
 
+    // Whether pins and bodies are where the scene has them.
+    bool is_as_placed() const;
     bool is_pinned(std::uint32_t vertex) const { return model_->pinned[vertex] != 0; }
     // Pins a vertex where it is now, or lets it go; until the next restart, after which the scene's own pins hold. The
     // solver is made anew, with the state carried over, as for another method. One that the scene puts on a handle can

@@ -23,12 +23,27 @@ Simulation::Pins Simulation::pins_of(const ClothState& state) const
 // The solver is then without a state.
 void Simulation::use_pins(Pins pins)
 {
-    if (pins == Pins{model_->pinned, model_->handle_pins}) return;
-    model_->pinned = std::move(pins.pinned);
-    model_->handle_pins = std::move(pins.handle_pins);
-    params_ = resolve_params(*model_, bodies(), asked_);
-    solver_ = make_solver(*model_, bodies(), params_, *pool_);
+    Pins before{model_->pinned, model_->handle_pins};
+    if (pins == before) return;
+    const auto set = [&](Pins&& now) {
+        model_->pinned = std::move(now.pinned);
+        model_->handle_pins = std::move(now.handle_pins);
+    };
+    set(std::move(pins));
+    try {
+        const SimParams params = resolve_params(*model_, bodies(), asked_);
+        solver_ = make_solver(*model_, bodies(), params, *pool_);
+        params_ = params;
+    } catch (...) {
+        set(std::move(before));
+        throw;
+    }
     stiffest_mode_.clear();
+}
+
+bool Simulation::is_as_placed() const
+{
+    return bodies_.shifts().empty() && scene_pins_ == Pins{model_->pinned, model_->handle_pins};
 }
 
 void Simulation::set_pinned(std::uint32_t vertex, bool pinned)

@@ -64,8 +64,9 @@ void Search::find_candidates()
         const Json& probe = stored(store_, "probe/" + setting_text(setting), [&]() -> Json {
             try {
                 const SimParams params = with_setting(bare, setting);
-                return {
-                    {"ms", least_frames_ms(study_.scene(), params, kProbeFrames, kProbeRuns, kProbeMs) / kProbeFrames}};
+                const double ms =
+                    least_frames_ms(study_.scene(), params, kProbeFrames, kProbeRuns, kProbeMs, study_.watch());
+                return {{"ms", ms / kProbeFrames}};
             } catch (const Error& error) {
                 if (error.code() != ExitCode::went_bad) throw;
                 return {{"failure", error.what()}};

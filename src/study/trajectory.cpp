@@ -69,16 +69,21 @@ Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frame
     return run;
 }
 
-double least_frames_ms(const Scene& scene, const SimParams& params, int frames, int repeats, double most_ms)
+double least_frames_ms(const Scene& scene, const SimParams& params, int frames, int repeats, double most_ms,
+                       const FrameWatch& watch)
 {
     Simulation simulation(scene, params);
     simulation.advance_frame();
+    if (watch) watch();
     double least = std::numeric_limits<double>::infinity();
-    Stopwatch watch;
-    for (int run = 0; run < repeats && (run == 0 || watch.elapsed_ms() < most_ms); ++run) {
+    Stopwatch stopwatch;
+    for (int run = 0; run < repeats && (run == 0 || stopwatch.elapsed_ms() < most_ms); ++run) {
         simulation.restart();
         double ms = 0;
-        for (int frame = 0; frame < frames; ++frame) ms += simulation_ms(simulation.advance_frame().stage_ms);
+        for (int frame = 0; frame < frames; ++frame) {
+            ms += simulation_ms(simulation.advance_frame().stage_ms);
+            if (watch) watch();
+        }
         least = std::min(least, ms);
     }
     return least;

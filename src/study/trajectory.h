@@ -48,8 +48,9 @@ struct RunLimits
 Trajectory run_trajectory(const Scene& scene, const SimParams& params, int frames, const RunLimits& limits = {});
 
 // The least time [ms] of `frames` frames from the start, of up to `repeats` runs after a first frame that warms up, as
-// many as fit into `most_ms` but one at least; nothing else is measured on the way.
-double least_frames_ms(const Scene& scene, const SimParams& params, int frames, int repeats, double most_ms);
+// many as fit into `most_ms` but one at least; nothing else is measured on the way. `watch`: as in RunLimits.
+double least_frames_ms(const Scene& scene, const SimParams& params, int frames, int repeats, double most_ms,
+                       const FrameWatch& watch = {});
 
 struct TrajectoryError
 {

@@ -10,6 +10,7 @@
 #include "app/auto_memory.h"
 #include "app/trade_slider.h"
 #include "core/error.h"
+#include "study/trajectory.h"
 #include "support/program_run.h"
 
 namespace nuno {
@@ -112,6 +113,17 @@ TEST_F(CalibrationTest, what_is_given_up_ends_within_a_frame_and_goes_on_from_th
     const Calibration::Result result = result_of(calibration);
     ASSERT_TRUE(result.ladder) << result.error;
     EXPECT_TRUE(remembered_ladder(scene_, params_, exact_));
+}
+
+TEST_F(CalibrationTest, times_of_frames_end_with_the_frame_in_which_they_are_given_up)
+{
+    params_.resolution = 9;
+    int frames = 0;
+    const auto watch = [&] {
+        if (++frames == 5) throw std::runtime_error("given up");
+    };
+    EXPECT_THROW(least_frames_ms(scene_, params_, 2, 1000, 1e9, watch), std::runtime_error);
+    EXPECT_EQ(frames, 5);
 }
 
 TEST_F(CalibrationTest, an_object_that_goes_takes_its_thread_with_it)

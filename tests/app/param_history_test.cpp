@@ -49,6 +49,17 @@ TEST_F(ParamHistoryTest, changes_are_undone_last_first_and_made_again_in_order)
     EXPECT_TRUE(history.redo().empty());
 }
 
+TEST_F(ParamHistoryTest, a_drag_that_comes_back_is_no_entry)
+{
+    change("thickness", 0.02);
+    const float start = params.damping;
+    change("damping", 2, true);
+    change("damping", double(start), true);
+    EXPECT_EQ(history.undo_name(), "thickness");
+    change("damping", 3, true);
+    EXPECT_EQ(history.undo_name(), "damping");
+}
+
 TEST_F(ParamHistoryTest, a_drag_of_one_slider_is_one_entry)
 {
     const SimParams start = params;

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include <glm/geometric.hpp>
+
 #include "app/viewer_session.h"
 #include "core/error.h"
 #include "gl/gl_test.h"
@@ -92,6 +94,34 @@ TEST_F(SessionRecordingTest, a_missing_encoder_is_told_and_leaves_nothing)
     EXPECT_FALSE(session.recording().is_on());
     EXPECT_NE(session.error().find("ffmpeg"), std::string::npos) << session.error();
     EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(SessionRecordingTest, a_point_cache_begun_in_the_middle_has_its_mesh_beside_it)
+{
+    ViewerSession session(options(), log_, false);
+    for (int frame = 0; frame < 3; ++frame) session.step();
+    session.recording_plan().point_cache = true;
+    session.toggle_recording();
+    ASSERT_TRUE(session.recording().is_on()) << session.error();
+    const glm::vec3 first(session.simulation().state().positions.back());
+    const fs::path folder = session.recording().directory();
+    session.step();
+    session.stop_recording();
+    const TriangleMesh mesh = load_obj(folder / "cloth.obj");
+    ASSERT_EQ(mesh.positions.size(), session.simulation().model().vertex_count());
+    EXPECT_LT(glm::distance(mesh.positions.back(), first), 1e-6f) << "as the first sample has it";
+    EXPECT_TRUE(fs::exists(folder / "cloth.mtl"));
+}
+
+TEST_F(SessionRecordingTest, another_frame_rate_ends_the_recording)
+{
+    ViewerSession session(options(), log_, false);
+    session.toggle_recording();
+    ASSERT_TRUE(session.recording().is_on()) << session.error();
+    session.set_sim_param(*find_param(sim_param_table(), "damping"), 1);
+    EXPECT_TRUE(session.recording().is_on());
+    session.set_sim_param(*find_param(sim_param_table(), "frame_rate"), 30);
+    EXPECT_FALSE(session.recording().is_on());
 }
 
 TEST_F(SessionRecordingTest, an_encoder_that_dies_ends_the_recording_and_not_the_run)

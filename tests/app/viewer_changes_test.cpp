@@ -1,8 +1,13 @@
 // The session behind the window: frames looked back at, changes taken back.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <string>
 
+#include "app/overlay_keys.h"
 #include "app/viewer_session.h"
+#include "core/error.h"
 #include "gl/gl_test.h"
 #include "sim/run_recorder.h"
 
@@ -67,6 +72,29 @@ TEST_F(ViewerChangesTest, a_drag_is_taken_back_and_made_again_as_one)
     EXPECT_FALSE(session.history().can_undo());
     session.redo();
     EXPECT_EQ(asked().wind_strength, 5);
+}
+
+TEST_F(ViewerChangesTest, each_press_of_a_key_is_a_change_of_its_own)
+{
+    press_overlay_key(GLFW_KEY_1, session);
+    press_overlay_key(GLFW_KEY_1, session);
+    EXPECT_FALSE(session.view().show_wireframe);
+    session.undo();
+    EXPECT_TRUE(session.view().show_wireframe);
+    session.undo();
+    EXPECT_FALSE(session.view().show_wireframe);
+    EXPECT_FALSE(session.history().can_undo());
+}
+
+TEST_F(ViewerChangesTest, a_change_of_the_view_taken_back_is_nothing_to_the_run)
+{
+    session.note_error(Error("something to be read"));
+    press_overlay_key(GLFW_KEY_2, session);
+    session.undo();
+    EXPECT_FALSE(session.view().show_springs);
+    EXPECT_EQ(session.error(), "something to be read");
+    session.redo();
+    EXPECT_TRUE(session.view().show_springs);
 }
 
 TEST_F(ViewerChangesTest, a_preset_is_taken_back_whole)
