@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/sim_params.h"
 #include "render/view_params.h"
 #include "scene/scene.h"
@@ -11,7 +13,10 @@ namespace nuno {
 
 int list_scenes()
 {
-    for (const std::string& name : scene_names()) fmt::print("{:10} {}\n", name, load_scene(name).title);
+    const std::vector<std::string> names = scene_names();
+    std::size_t width = 0;
+    for (const std::string& name : names) width = std::max(width, name.size());
+    for (const std::string& name : names) fmt::print("{:{}}  {}\n", name, width, load_scene(name).title);
     return 0;
 }
 
