@@ -31,7 +31,7 @@ void draw_scrub(ViewerSession& session, ViewerLog& log)
 {
     bool keeps = session.time().keeps_frames();
     if (ImGui::Checkbox("##keep", &keeps)) session.keep_frames(keeps);
-    note_control(log, "keep frames");
+    note_control(log, "keep_frames");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Keeps the last 10 s, at most 256 MiB, to look back at.\n"

@@ -72,6 +72,38 @@ TEST_F(ViewerTest, a_saved_scene_goes_on_with_the_same_bits)
     EXPECT_EQ(went_on.out.substr(went_on.out.find("state-hash ")), whole.out.substr(whole.out.find("state-hash ")));
 }
 
+TEST_F(ViewerTest, a_saved_scene_comes_back_with_its_camera_and_overlays)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.drag(1200, 680, 1100, 640);
+    const std::string camera = viewer.wait_for("camera (azimuth .*)").groups[1];
+    viewer.key("1");
+    viewer.wait_for("show_wireframe = true");
+    viewer.key("ctrl+s");
+    const std::string path = viewer.directory() / viewer.wait_for("wrote (\\S+)").groups[1];
+    EXPECT_EQ(viewer.quit(), 0);
+    ViewerDriver again({path, "--paused"});
+    again.click(1200, 680);
+    EXPECT_EQ(again.wait_for("camera (azimuth .*)").groups[1], camera);
+    again.key("1");
+    again.wait_for("show_wireframe = false");
+    EXPECT_EQ(again.quit(), 0);
+}
+
+TEST_F(ViewerTest, the_box_beside_the_bar_ends_keeping_frames)
+{
+    ViewerDriver viewer({"seed", "--paused"});
+    viewer.key("n n n");
+    viewer.program().wait_for("frame 3: stepped");
+    viewer.click_control("keep_frames");
+    viewer.key("n");
+    viewer.program().wait_for("frame 4: stepped");
+    viewer.key("Left");  // nothing is kept to go back to
+    viewer.key("n");
+    viewer.program().wait_for("frame 5: stepped");
+    EXPECT_EQ(viewer.quit(), 0);
+}
+
 TEST_F(ViewerTest, plots_open_and_show_the_last_seconds)
 {
     ViewerDriver viewer({"seed", "--paused"});
