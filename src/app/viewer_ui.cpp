@@ -108,6 +108,7 @@ ViewerUi::~ViewerUi()
 void ViewerUi::apply_scale(float content_scale, float pixels_per_unit)
 {
     if (content_scale == content_scale_ && pixels_per_unit == pixels_per_unit_) return;
+    const bool is_first = content_scale_ == 0;
     content_scale_ = content_scale;
     pixels_per_unit_ = pixels_per_unit;
     scale_ = content_scale / pixels_per_unit;
@@ -115,8 +116,10 @@ void ViewerUi::apply_scale(float content_scale, float pixels_per_unit)
     ImGui::GetStyle().ScaleAllSizes(scale_);
     add_font(content_scale);
     ImGui::GetIO().FontGlobalScale = 1 / pixels_per_unit;
-    // The next frame of the backend makes the new texture.
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    if (is_first) return;  // the first frame of the backend makes the texture
+    // The texture alone: the backend would go on with the sizes of the buffers that it had (Dear ImGui 1.86).
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 // ImGui asks which keys are down once a frame, so a key pressed and released between two frames has to be held for one.

@@ -24,14 +24,14 @@ bool names(std::string_view page, std::string_view word)
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Whether a page has a heading whose anchor is `anchor`: its letters and digits in lower case, a hyphen for each space.
+// Whether a page has a heading whose anchor is `anchor`: its letters, digits and underscores in lower case, a hyphen for each space.
 bool has_heading(const std::string& page, std::string_view anchor)
 {
     const std::vector<Section> parts = sections(page);
     return std::any_of(parts.begin(), parts.end(), [&](const Section& section) {
         std::string name;
         for (const unsigned char letter : section.heading)
-            if (std::isalnum(letter) || letter == ' ' || letter == '-')
+            if (std::isalnum(letter) || letter == ' ' || letter == '-' || letter == '_')
                 name += letter == ' ' ? '-' : std::tolower(letter);
         return name == anchor;
     });
